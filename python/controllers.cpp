@@ -25,7 +25,8 @@ struct Period {
 
   const LawState& now() const {
     if (state != nullptr) return *state;
-    throw std::runtime_error("this control period is over; copy its values while the law is called");
+    throw std::runtime_error(
+        "this control period is over; copy its values during the call of the control law");
   }
 };
 
@@ -44,7 +45,8 @@ auto told(const std::string& name, Function function) {
   try {
     return function();
   } catch (const py::cast_error&) {
-    throw FailedError(fmt::format("controller {}: its function did not return a list of numbers", name));
+    throw FailedError(
+        fmt::format("controller {}: its function must return a list of numbers, but it did not", name));
   }
 }
 
@@ -147,7 +149,7 @@ void bind_controllers(py::module_& module) {
   };
   py::class_<Period, std::shared_ptr<Period>>(
       module, "ControlPeriod", made_by_armtune(),
-      "The inputs of a law in one control period, valid during the call only.")
+      "The inputs of a control law in one control period. They are valid only during the call.")
       .def_property_readonly("position", vector(&LawState::position),
                              "Measured joint positions q (n) [rad, m].")
       .def_property_readonly("velocity", vector(&LawState::velocity),
@@ -165,7 +167,7 @@ void bind_controllers(py::module_& module) {
       .def_property_readonly("state", [](const Period& self) { return self.now().state(); })
       .def_property_readonly("tracks_joints", [](const Period& self) { return self.now().tracks_joints(); })
       .def("model_torque", &model_torque, py::arg("v"), py::arg("a"),
-           "Returns M(q) a + C(q, q') v + g(q) + friction(q') (n) by the controller's model of the arm.");
+           "Returns M(q) a + C(q, q') v + g(q) + friction(q') (n) from the controller's model of the arm.");
   module.def(
       "register_controller", &register_python, py::arg("name"), py::arg("make"), py::kw_only(),
       py::arg("own") = std::vector<py::dict>(), py::arg("uses") = std::vector<std::string>(),
@@ -173,8 +175,10 @@ void bind_controllers(py::module_& module) {
       "Adds a kind of controller in this process. make(robot, gains, period) returns a function that takes "
       "a ControlPeriod and returns the torques (n) [N m, N]. own: the controller's own gains, each a dict "
       "with the keys shape (scalar, task or joints), name, unit, meaning and otherwise (default value). "
-      "Optional keys are positive, in_loop, lower_factor and upper_factor. uses: the names of armtune's "
-      "gains that it uses. start(robot, q, gains) sets the start values of its own gains.");
+      "Optional keys are positive (True: zero is refused), in_loop (True: the gain scales the gain of the "
+      "control loop), lower_factor and upper_factor (default bounds of the search, as factors on the start "
+      "value). uses: names of armtune's gains that the controller uses. start(robot, q, gains) sets the "
+      "start values of the controller's own gains.");
 }
 
 }  // namespace armtune::internal::python

@@ -25,7 +25,7 @@ const GainField& field_of(const Gains& gains, const std::string& name) {
   for (const GainField& field : fields_of(gains)) {
     if (field.name == name) return field;
   }
-  throw py::key_error(fmt::format("{}: the controller {} has no such gain", name, gains.controller));
+  throw py::key_error(fmt::format("{}: the controller {} has no gain of this name", name, gains.controller));
 }
 
 std::vector<std::string> names(const armtune::Gains& self) {
@@ -62,8 +62,9 @@ ForceGains force_gains_of(const std::string& name, const py::object& value, py::
   const bool rows = given.ndim() == 2 && given.shape(0) == n && given.shape(1) == n;
   if (!points && !rows)
     throw InputError(
-        fmt::format("{}: {} numbers are given; give {}, one for each force point, or {} lists of {}", name,
-                    given.size(), n, n, n));
+        fmt::format("{}: {} numbers are given; give {}, one for each joint origin or link, or {} lists of "
+                    "{}",
+                    name, given.size(), n, n, n));
   return Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
 }
 
@@ -100,7 +101,7 @@ void set(armtune::Gains& self, const std::string& name, const py::object& value)
     const GainField& field = field_of(self.inside(), name);
     const char* kind = field.is_number()                                     ? "numbers"
                        : std::holds_alternative<bool Gains::*>(field.member) ? "True or False"
-                                                                             : "a word";
+                                                                             : "a string";
     throw py::type_error(
         fmt::format("{}: {} is not valid; give {}", name, py::repr(value).cast<std::string>(), kind));
   }
@@ -130,8 +131,8 @@ void bind_gains(py::module_& module) {
       .def("keys", &names, "Names of the gains.")
       .def("__getitem__", &get, py::arg("name"),
            "Returns the numbers of a gain as a NumPy array. Writing into the array changes the gains. "
-           "Switches and words are returned as bool and str. force_control_gains is n x n if each force "
-           "point has a gain for every joint.")
+           "Switches and words are returned as bool and str. force_control_gains is n x n if each joint "
+           "origin or link has a gain for every joint.")
       .def("__setitem__", &set, py::arg("name"), py::arg("value"))
       .def("__iter__", [](const armtune::Gains& self) { return py::iter(py::cast(names(self))); })
       .def("__contains__",

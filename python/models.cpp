@@ -22,11 +22,13 @@ namespace armtune::internal::python {
 namespace {
 
 void bind_plan(py::module_& module) {
-  py::class_<PlanLimit>(module, "PlanLimit", made_by_armtune(), "The share of one limit that a plan uses.")
+  py::class_<PlanLimit>(module, "PlanLimit", made_by_armtune(), "How much of one limit a plan uses.")
       .def_readonly("limit", &PlanLimit::limit)
       .def_readonly("part", &PlanLimit::part, "The joint or axis.")
       .def_readonly("used", &PlanLimit::used, "Largest share of the limit used at any time; 1: at the limit.")
-      .def_readonly("time", &PlanLimit::time, "When that share is used [s]; nan: at a knot.")
+      .def_readonly(
+          "time", &PlanLimit::time,
+          "Time of the largest use of the limit [s], if it lies between two knots; nan if it lies at a knot.")
       .def_readonly("binds", &PlanLimit::binds, "True if the limit restricts the motion somewhere.");
   py::class_<Plan>(module, "Plan", made_by_armtune(), "A planned motion of n joints at N times.")
       .def_readonly("solved", &Plan::solved)
@@ -38,7 +40,8 @@ void bind_plan(py::module_& module) {
       .def_readonly("position", &Plan::position, "N lists of n positions [rad, m].")
       .def_readonly("velocity", &Plan::velocity, "N lists of n velocities [rad/s, m/s].")
       .def_readonly("effort", &Plan::effort, "N lists of n efforts [N m, N].")
-      .def_readonly("limits", &Plan::limits, "Use of every limit, those that restrict the motion first.")
+      .def_readonly("limits", &Plan::limits,
+                    "Use of every limit; the limits that restrict the motion come first.")
       .def_readonly("files", &Plan::files, "Names of the files in the run folder.");
   module.def(
       "plan",
@@ -55,12 +58,14 @@ void bind_identify(py::module_& module) {
   py::class_<Residuals>(module, "Residuals", made_by_armtune(), "RMS torques of each joint [N m, N].")
       .def_readonly("torque", &Residuals::torque, "The measured torque.")
       .def_readonly("by_theta", &Residuals::by_theta, "The part not explained by the identified parameters.")
-      .def_readonly("by_file", &Residuals::by_file, "The part not explained by the given robot.");
-  py::class_<Identified>(module, "Identified", made_by_armtune(), "An arm's parameters, found from logs.")
+      .def_readonly("by_file", &Residuals::by_file, "The part not explained by the robot file's parameters.");
+  py::class_<Identified>(module, "Identified", made_by_armtune(),
+                         "The dynamic parameters of an arm, identified from logs.")
       .def_readonly("theta", &Identified::theta, "13 parameters for each joint, physically possible.")
       .def_readonly("fitted", &Identified::fitted, "Residuals on the samples used in the fit.")
       .def_readonly("held_out", &Identified::held_out, "Residuals on the samples left out of the fit.")
-      .def_readonly("doubts", &Identified::doubts, "Why the logs may be of another arm, one sentence each.")
+      .def_readonly("doubts", &Identified::doubts,
+                    "Reasons why the logs may belong to another arm, one sentence each.")
       .def_readonly("files", &Identified::files, "Names of the files in the run folder.");
   module.def(
       "identify",
@@ -75,7 +80,8 @@ void bind_identify(py::module_& module) {
       py::arg("robot"), py::arg("logs"), py::kw_only(), py::arg("columns") = py::none(),
       py::arg("robust") = false, py::arg("accept") = false, py::arg("folder") = py::none(),
       py::arg("progress") = py::none(),
-      "Identifies an arm from logs of its motion. columns: a YAML file that names the columns of the logs.");
+      "Identifies an arm's dynamics from logs of its motion. columns: a YAML file that names the columns of "
+      "the logs.");
 }
 
 }  // namespace
@@ -95,7 +101,8 @@ void bind_models(py::module_& module) {
   module.def("versions", &armtune::versions,
              "Returns (name, version) of armtune and of every library in use.");
   module.def("bundled", &armtune::bundled, py::arg("folder"),
-             "Returns names of bundled files. folder: robots, scenarios, gains, studies, tasks or theta.");
+             "Returns the names of bundled files. folder: robots, scenarios, gains, studies, tasks or "
+             "theta.");
 }
 
 }  // namespace armtune::internal::python

@@ -17,8 +17,7 @@ namespace armtune::internal::python {
 namespace {
 
 PyObject* refuse_new(PyTypeObject* type, PyObject*, PyObject*) {
-  PyErr_Format(PyExc_TypeError,
-               "%s: cannot be created directly; functions of armtune return it, such as simulate",
+  PyErr_Format(PyExc_TypeError, "%s: cannot be created directly; call a function of armtune that returns it",
                type->tp_name);
   return nullptr;
 }
@@ -27,7 +26,7 @@ PyObject* refuse_new(PyTypeObject* type, PyObject*, PyObject*) {
 
 void raise_interrupted(py::object result) {
   const py::object type = py::module_::import("armtune").attr("Interrupted");
-  const py::object error = type("interrupted; the attribute 'result' holds what was found");
+  const py::object error = type("interrupted; the attribute 'result' holds the results so far");
   error.attr("result") = std::move(result);
   PyErr_SetObject(type.ptr(), error.ptr());
   throw py::error_already_set();
@@ -56,7 +55,7 @@ py::custom_type_setup made_by_armtune() {
 
 PYBIND11_MODULE(_armtune, module) {
   using namespace armtune::internal;
-  module.doc() = "Offline trajectory and gain tuning for robot arms.";
+  module.doc() = "Offline gain tuning and trajectory planning for robot arms.";
   const auto error = py::register_exception<armtune::Error>(module, "Error", PyExc_RuntimeError);
   py::register_exception<armtune::FailedError>(module, "FailedError", error);
   // A ValueError too, as Python has it for what cannot be used as it is.
@@ -79,9 +78,9 @@ PYBIND11_MODULE(_armtune, module) {
   py::module_::import("atexit").attr("register")(py::cpp_function(&python::end_all_work));
   module.def(
       "arithmetic", [] { return std::pair(arithmetic().level, arithmetic().fingerprint); },
-      "Returns level and fingerprint of the variants of sin, exp ... that this process uses.");
+      "Returns (level, fingerprint) of the variants of sin, exp and the like that this process uses.");
   module.def(
       "baseline_tunables", &baseline_tunables, py::arg("set"),
       "Returns a value of GLIBC_TUNABLES with which glibc uses only functions that every x86-64 processor "
-      "has. set: the value that the user has set already.");
+      "has. set: the value of GLIBC_TUNABLES so far.");
 }

@@ -24,12 +24,12 @@ void bind_robustness(py::module_& module) {
       .def_readonly("rollouts", &RobustnessSample::rollouts,
                     "One rollout for each scenario, without recordings.")
       .def_readonly("broken", &RobustnessSample::broken,
-                    "For each scenario the limit that was broken first; empty if none was.")
+                    "The limit that was broken first in each scenario; empty if none was broken.")
       .def_property_readonly("keeps_all", &RobustnessSample::keeps_all);
   py::class_<Robustness>(module, "Robustness", made_by_armtune(), "Results of gains on random arms.")
       .def_readonly("samples", &Robustness::samples)
       .def_property_readonly("yield_", &Robustness::yield,
-                             "Share of the samples that keep every limit; nan without samples.")
+                             "Share of the random arms that keep every limit; nan without samples.")
       .def_readonly("verdict", &Robustness::verdict)
       .def_readonly("files", &Robustness::files, "Names of the files in the run folder.");
   module.def(
@@ -48,7 +48,7 @@ void bind_robustness(py::module_& module) {
       py::arg("perturbation") = std::map<std::string, double>(), py::arg("engine") = "simbody",
       py::arg("folder") = py::none(), py::arg("resume") = false, py::arg("workers") = 1,
       py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
-      "Simulates gains on random arms. perturbation: widths of the random differences by name: mass, center, "
+      "Simulates gains on random arms. perturbation: widths of the random changes by name: mass, center, "
       "inertia, rotor, friction, payload, delay, noise, theta, target_speed. Names left out have default "
       "widths.");
 

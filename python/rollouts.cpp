@@ -106,7 +106,7 @@ void bind_scenario(py::module_& module) {
                        "A task for an arm: path, targets, obstacles and disturbances.")
       .def_property(
           "name", [](const Scenario& self) { return as_utf8(self.name()); }, &Scenario::set_name,
-          "Name of its results. Scenarios that are simulated together need different names.")
+          "Name of the scenario and its results. Scenarios that are simulated together need different names.")
       .def_property("duration", &Scenario::duration, &Scenario::set_duration, "Simulated time [s].")
       .def_property_readonly("control_period", &Scenario::control_period, "Control period [s].")
       .def_property_readonly("robot", &Scenario::robot)

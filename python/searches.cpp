@@ -34,7 +34,8 @@ std::function<double(const std::vector<Rollout>&)> objective_of(py::object funct
     try {
       return (*kept)(rollouts).cast<double>();
     } catch (const py::cast_error&) {
-      throw FailedError("objective: the function returned a value that is not a number");
+      throw FailedError(
+          "objective: the function returned a value that is not a number; return a number above 0");
     }
   };
 }
@@ -98,9 +99,10 @@ void bind_study(py::module_& module) {
       .def_property_readonly("name", [](const Study& self) { return as_utf8(self.name()); })
       .def_property_readonly("scenarios", &Study::scenarios)
       .def_property_readonly("start", &Study::start)
-      .def_property_readonly("parameters", &Study::parameters, "Names of the tuned numbers.")
+      .def_property_readonly("parameters", &Study::parameters,
+                             "Names of the tuned gains, or of their components.")
       .def_property("max_evaluations", &Study::max_evaluations, &Study::set_max_evaluations,
-                    "Budget of evaluations; those of the start and of the sweep count too.")
+                    "Budget of evaluations, including the start gains and the sweep.")
       .def_property(
           "seed", &Study::seed,
           [](Study& self, std::int64_t seed) {
@@ -114,8 +116,8 @@ void bind_study(py::module_& module) {
         return Study::load(name.string(), controller);
       },
       py::arg("name"), py::arg("controller") = "",
-      "Loads a bundled study by name, or a file by path. controller: the controller to tune, if not the "
-      "study's.");
+      "Loads a bundled study by name, or a file by path. controller: name of a controller to tune instead of "
+      "the study's controller.");
   module.def(
       "make_study", &make_study, py::arg("description"), py::kw_only(), py::arg("scenarios") = py::none(),
       py::arg("gains") = py::none(), py::arg("objective") = py::none(),
@@ -141,7 +143,7 @@ void bind_searches(py::module_& module) {
           "Objective of every evaluation, in order.")
       .def_property_readonly(
           "violations", [](const Tuned& self) { return numbers_of(self.evaluations, &TunePoint::violation); },
-          "Sum of the relative violations of the constraints, of every evaluation; 0: feasible.")
+          "Sum of the relative constraint violations in every evaluation; 0 if it is feasible.")
       .def_property_readonly(
           "engines",
           [](const Tuned& self) {
@@ -151,12 +153,14 @@ void bind_searches(py::module_& module) {
             return engines;
           },
           "Engine of every evaluation. Tuned.objective is always from Simbody.")
-      .def_readonly("parameters", &Tuned::parameters, "Names of the coordinates of a point.")
+      .def_readonly("parameters", &Tuned::parameters,
+                    "Names of the tuned gains or components, in the order of the columns of points.")
       .def_property_readonly(
           "points", &coordinates,
-          "The evaluated points, one row each. A coordinate is 0 at the lower bound of its gain and 1 at the upper.")
-      .def_readonly("before", &Tuned::before, "Fresh rollouts of the start gains, without recordings.")
-      .def_readonly("after", &Tuned::after, "Fresh rollouts of the best gains, without recordings.")
+          "The evaluated points, one row each. A coordinate is 0 at the lower bound of its gain and 1 at the "
+          "upper bound.")
+      .def_readonly("before", &Tuned::before, "New rollouts of the start gains, without recordings.")
+      .def_readonly("after", &Tuned::after, "New rollouts of the best gains, without recordings.")
       .def_readonly("verdict", &Tuned::verdict, "Verdict of the simulation checks.")
       .def_readonly("files", &Tuned::files, "Names of the files in the run folder.");
   module.def(
@@ -179,12 +183,12 @@ void bind_searches(py::module_& module) {
       .def_readonly("gains", &FrontPoint::gains)
       .def_readonly("values", &FrontPoint::values, "Values of the criteria, in their units.");
   py::class_<Front>(module, "Front", made_by_armtune(),
-                    "A Pareto front: what a lower value of one criterion costs in another.")
+                    "A Pareto front: the trade-off between two or three criteria.")
       .def_readonly("points", &Front::points,
                     "Feasible points that no other dominates, ascending in the first criterion.")
       .def_readonly("start", &Front::start)
       .def_readonly("hypervolume", &Front::hypervolume,
-                    "Hypervolume that the points dominate, with the start as reference.")
+                    "Hypervolume that the points dominate; the start gains give the reference point.")
       .def_readonly("files", &Front::files, "Names of the files in the run folder.");
   module.def(
       "front",
@@ -199,8 +203,9 @@ void bind_searches(py::module_& module) {
       py::arg("study"), py::arg("criteria"), py::kw_only(), py::arg("folder") = py::none(),
       py::arg("resume") = false, py::arg("workers") = 1, py::arg("levels") = 0,
       py::arg("max_evaluations") = 0, py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
-      "Searches the Pareto front of two or three criteria, each the name of a metric or 'objective'. levels: "
-      "number of levels of each criterion but the first. levels, max_evaluations: 0 for the default.");
+      "Searches the Pareto front of two or three criteria. Each criterion is the name of a metric or "
+      "'objective'. levels: number of upper bounds to try for each criterion except the first. levels and "
+      "max_evaluations: 0 selects the default.");
 }
 
 }  // namespace armtune::internal::python

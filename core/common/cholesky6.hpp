@@ -1,6 +1,7 @@
 #pragma once
-// Cholesky factorisation A = L L^T of a symmetric matrix of at most six rows, for one matrix or for several
-// side by side. Golub and Van Loan, Matrix Computations, section 4.2.
+// Cholesky factorisation A = L L^T of a symmetric matrix of at most six rows. The scalar type T is double for
+// one matrix, or a SIMD type for several matrices at once (pack.hpp). Source: Golub and Van Loan, Matrix
+// Computations, section 4.2.
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
-// A number that carries its derivatives along N directions. Any kernel that is a template over its scalar
-// type then gives exact Jacobians by forward-mode differentiation (Griewank and Walther, Evaluating
-// Derivatives, chapter 3).
+// A dual number: a value that carries its derivatives along N directions. A function that is a template over
+// its scalar type then gives exact Jacobians by forward-mode differentiation (Griewank and Walther,
+// Evaluating Derivatives, chapter 3).
 
 #include <Eigen/Core>
 #include <cmath>

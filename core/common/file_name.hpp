@@ -1,6 +1,6 @@
 #pragma once
-// Checks of names that result files are named after: those of scenarios, studies and tasks, and the labels of
-// compared sets.
+// Checks the names from which the names of result files are made: those of scenarios, studies and tasks, and
+// the labels under which gain sets are compared.
 
 #include <cstddef>
 #include <string>
@@ -15,8 +15,8 @@ inline constexpr std::size_t kLongestName = 200;
 /// longer than `longest` bytes, is not UTF-8, or holds a control character or another one that ends a line.
 void check_file_name(const std::string& name, const std::string& path, std::size_t longest = kLongestName);
 
-/// Does the same for a name that CSV files hold as well. It must also have no comma and no quote, and must
-/// not begin like a spreadsheet's formula.
+/// Does the same for a name that is also written into CSV files. Such a name must also contain no comma and
+/// no quote, and must not begin like a spreadsheet's formula.
 void check_result_name(const std::string& name, const std::string& path, std::size_t longest = kLongestName);
 
 }  // namespace armtune::internal

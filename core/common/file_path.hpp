@@ -1,5 +1,5 @@
 #pragma once
-// Simplified and absolute forms of a path that name the same file.
+// Simplifies the path of a file or makes it absolute. The result still names the same file.
 
 #include <string>
 
@@ -10,8 +10,8 @@ namespace armtune::internal {
 /// empty path.
 std::string without_dots(const std::string& path);
 
-/// Returns the same as an absolute path. Throws InputError if the current folder, where relative paths begin,
-/// was deleted or may not be accessed.
+/// Returns the simplified path as an absolute path. Throws InputError if the current folder, where relative
+/// paths begin, was deleted or may not be accessed.
 std::string absolute_path(const std::string& path);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// Reading of whole files as text: armtune's own files, and the user's input files, which a run reads once.
+// Reads whole files as text. Files that the user names are read only once in a run, so that the run uses one
+// state of them even if they change meanwhile.
 
 #include <cstddef>
 #include <memory>
@@ -18,8 +19,9 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
 /// since run.yaml could not name it.
 std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
-/// Keeps what read_input_file reads. A run then uses and records one state of its inputs, even if the files
-/// change meanwhile. It is for a program that makes one run: at a time there is one record for all threads.
+/// Keeps the content of the files that read_input_file reads, for as long as it lives. A run then uses and
+/// records one state of its inputs, even if the files change meanwhile. It is for a program that makes one
+/// run: only one InputRecord may exist at a time, and all threads share it.
 class InputRecord {
  public:
   InputRecord();

@@ -1,5 +1,6 @@
 #pragma once
-// Sines and cosines of all joints at once; for doubles, two at a time.
+// Computes sine and cosine of all joint angles of an arm. For doubles, two angles are computed at a time
+// (vector_math.hpp).
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #pragma once
-// Formatting of text from files for messages.
+// Prepares text from files for messages: escapes what a terminal cannot show, and shortens long text. It also
+// recognises UTF-8 and spreadsheet formulas.
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,8 @@
 #pragma once
-// Several doubles side by side as one scalar type. A kernel over Pack<W> computes W arms at once. Each arm's
-// operations and their order are those of the arm alone, so the results are bit-identical. It uses GCC's
-// vector extensions: any width compiles for any processor.
+// Pack<W>: W doubles side by side, used as one scalar type (SIMD). Each entry, or lane, belongs to another
+// arm: code that is a template over its scalar type then computes W arms at once. Each arm's operations and
+// their order are those of the arm alone, so the results are bit-identical. Pack uses GCC's vector
+// extensions: any width compiles for any processor.
 
 #include <Eigen/Core>
 #include <bit>

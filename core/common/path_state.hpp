@@ -1,12 +1,12 @@
 #pragma once
-// What exists at a path. If the file system cannot tell, an InputError gives the reason, so that a folder
-// that may not be read is never mistaken for a missing one.
+// Checks whether a file or folder exists at a path. If the file system cannot tell, an InputError gives the
+// reason. Therefore a folder without read permission is never mistaken for a missing one.
 
 #include <string>
 
 namespace armtune::internal {
 
-/// Returns true if a file, folder or anything else exists there; symbolic links are followed. Throws
+/// True if a file, folder or anything else exists there; symbolic links are followed. Throws
 /// InputError with path and reason if that cannot be determined: a folder on the way may not be searched,
 /// links form a loop, or the name is too long.
 bool is_there(const std::string& path);
@@ -15,7 +15,7 @@ bool is_there(const std::string& path);
 /// It is for files that are never overwritten.
 void refuse_existing(const std::string& path);
 
-/// Returns true if the folder is missing or empty. Throws InputError with path and reason if that cannot be
+/// True if the folder is missing or empty. Throws InputError with path and reason if that cannot be
 /// determined: it may not be read, too many files are open, or it is not a folder.
 bool is_missing_or_empty(const std::string& folder);
 

@@ -1,6 +1,7 @@
 #pragma once
-// Matrix and vector products for the control period's kernels. They add their terms in one order, first to
-// last, for every scalar type. Eigen's own order depends on scalar and size, and the last bit with it.
+// Small matrix and vector products for the computations of every control period. They add their terms in the
+// same order, first to last, for every scalar type. With Eigen's own products, the order and therefore the
+// last bit of the result depend on scalar type and size.
 
 #include <cmath>
 

@@ -1,6 +1,7 @@
 #pragma once
-// Choices that are written once for a single number and for several side by side (core/common/pack.hpp). What
-// is a branch for a single number is a blend for several.
+// Conditional choices that work both for a single number and for several numbers side by side
+// (core/common/pack.hpp). Several numbers may need different branches of an `if`. The code therefore computes
+// both results and selects one for each number.
 
 #include <type_traits>
 
@@ -12,7 +13,8 @@ T select(bool where, const T& a, const T& b) {
   return where ? a : b;
 }
 
-/// True if a mask is set in any lane (any), or in every lane (all).
+/// True if a condition holds for any number (any), or for every number (all). bool is the condition of a
+/// single number, a mask that of several.
 inline bool any(bool where) {
   return where;
 }

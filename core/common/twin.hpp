@@ -1,7 +1,7 @@
 #pragma once
-// Two numbers that go through the same arithmetic side by side. Two doubles fit one SSE2 register, which
-// every x86-64 processor has. Quantities that one rotation turns come in such pairs: linear and angular
-// velocity, force and moment, mass and inertia.
+// A twin is a pair of numbers. Every operation acts on both numbers at once, because two doubles fit one SSE2
+// register, which every x86-64 processor has. The dynamics use twins where two quantities go through the same
+// arithmetic, such as linear and angular velocity, or force and moment.
 
 namespace armtune::internal {
 

@@ -1,6 +1,6 @@
 #pragma once
-// Vector and matrix types of fixed capacity. Their sizes are known at run time, their memory at compile time,
-// so nothing here allocates.
+// Vector and matrix types of fixed capacity, for arms with up to kMaxJoints joints. Their sizes are set at
+// run time, but their memory is reserved at compile time, so they never allocate.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,5 +1,6 @@
 #pragma once
-// Decoding of UTF-8 text, and the characters that every reader and terminal shows unchanged.
+// Decodes UTF-8 text, and finds out whether text is printable, so that YAML files and terminals show it
+// unchanged.
 
 #include <cstddef>
 #include <optional>

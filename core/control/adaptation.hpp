@@ -1,6 +1,7 @@
 #pragma once
-// Model compensation and its adaptation (equations 5 and 6):
-//   theta <- theta - gamma Y^T S dt,   S = q' - qr';   compensation torque Y theta.
+// Online adaptation of the parameters theta of the controller's arm model (equations 5 and 6 in NOTATION.md):
+//   theta <- theta - gamma Y^T S dt,   S = q' - qr'.
+// The law compensates the arm's dynamics with the torque Y theta, where Y is the regressor of slotine_li.hpp.
 //
 // The published law takes Y along the measured motion, Y(q, q', qr', qr''). The noise n of the measured
 // velocities is in S, and through the feedback also in qr'' = ... - Kp n. The two correlate, so the inertia
@@ -31,8 +32,8 @@ class AdaptationT {
   /// Returns the theta that leakage leads back to.
   ParameterVectorT<T>& start() { return start_; }
 
-  /// Takes one explicit Euler step of length dt [s] in the lanes `where`. Y is that of `along`, S that of
-  /// `measured`; both are of this period.
+  /// Takes one explicit Euler step of length dt [s] for the arms that `where` selects. Y is that of `along`,
+  /// S that of `measured`; both are of this period.
   void step(const SlotineLiT<T>& along, const SlotineLiT<T>& measured, const T& gamma, const T& dt,
             const MaskT<T>& where = T(0) < T(1)) {
     slotine_li_gradient(along, measured, gradient_);

@@ -1,8 +1,10 @@
 #pragma once
-// A filter for the motion along which theta adapts. q', qr' and qr'' pass a first-order low-pass filter,
+// A low-pass filter for the motion from which the adaptive law computes its regressor Y. q', qr' and qr''
+// pass the first-order filter
 //   x <- x + (1 - exp(-2 pi f T)) (measured - x),
-// with the corner frequency f and the control period T. White noise n of the measured velocities is then
-// hardly in Y any more, while S still has all of it. The mean of their product falls by the factor
+// with the corner frequency f and the control period T. It is needed because noise of the measured velocities
+// is in both Y and S, which makes theta drift (adaptation.hpp). If this noise is white, Y contains hardly any
+// of it after the filter, while S still has all of it. The mean of their product is multiplied by
 // 1 - exp(-2 pi f T), which is 0.06 at 5 Hz and 2 ms.
 
 #include <cmath>
@@ -40,7 +42,7 @@ class AdaptationFilterT {
     slotine_li_forward(chain, poses, qd_, qdr_, qddr_, along);
   }
 
-  /// Resets one lane among several to rest.
+  /// Resets the filter of one arm to rest. lane: the arm's place in T.
   void rest([[maybe_unused]] int lane) {
     for (JointVectorT<T>* x : {&qd_, &qdr_, &qddr_}) {
       for (Eigen::Index i = 0; i < x->size(); ++i) {

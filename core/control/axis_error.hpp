@@ -1,7 +1,7 @@
 #pragma once
-// Orientation errors of a task that leaves the turn about the tool's z axis free
-// (TaskMask::kPositionAndAxis). Errors leave that turn out, since gains that differ between axes would turn
-// it into a tilt.
+// Orientation errors for tasks in which the tool may turn freely about its z axis
+// (TaskMask::kPositionAndAxis). The errors have no part about that axis. Otherwise gains that differ between
+// axes would turn this part into a tilt of the tool.
 
 #include "core/trajectory/gaze.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
-// The references of the Cartesian law (equation 1):
+// The velocity and acceleration references of the tool in Cartesian control (equation 1 in NOTATION.md). They
+// add feedback of the pose error dx to the desired motion xd:
 //   xr'  = xd' - Kp dx - Ki int(dx) dt,   xr'' = xd'' - Kp dx' - Ki dx.
 
 #include "core/common/types.hpp"
@@ -29,8 +30,9 @@ inline TaskReference task_reference(const CartesianErrors& x, const Vec6& Kp, co
 }
 
 /// Removes the feedback from the turn about z (unit, base frame), so that only the desired motion's turn
-/// remains. It is for a gaze with a free roll. The roll has no error, so nothing would end a roll rate that
-/// the integral commands, and the integral gets a part about z whenever the tool's axis turns.
+/// remains. It is for a tool that points at a target and may roll freely. The roll has no error, so nothing
+/// would end a roll rate that the integral commands. The integral gets a part about z whenever the tool's
+/// axis turns.
 inline void without_roll_feedback(const CartesianErrors& x, const Vec3& z, TaskReference& reference) {
   reference.rate.tail<3>() -= z * z.dot(reference.rate.tail<3>() - x.desired_rate.tail<3>());
   reference.acceleration.tail<3>() -= z * z.dot(reference.acceleration.tail<3>() - x.desired_accel.tail<3>());

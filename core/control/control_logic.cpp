@@ -3,8 +3,8 @@
 #include <cmath>
 #include <functional>
 
-#include "core/control/axis_error.hpp"
 #include "core/control/obstacle_impedance.hpp"
+#include "core/control/tracking_error.hpp"
 #include "core/control/velocity_barrier.hpp"
 #include "core/control/velocity_governor.hpp"
 
@@ -183,20 +183,13 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   // The integral stays empty while a slerp runs: it would wind up on an error that is meant to be there.
   if (gaze.slerping) integral_.setZero();
   CartesianErrors& x = out_.errors;
-  // Outside a slerp the way to the desired orientation is the turn to the aim itself.
-  const bool turns_freely = mask_ == TaskMask::kPositionAndAxis;
-  x.pose << arm.p_0T - out_.desired.position, Vec3(-gaze.turn);
-  if (gaze.slerping) {
-    x.pose.tail<3>() = turns_freely ? axis_error(arm.R_0T, gaze.desired.orientation)
-                                    : Vec3(-rotation_log(gaze.desired.orientation * Q_0T.conjugate()));
-  }
+  const TrackingError error = tracking_error(arm.R_0T, arm.p_0T, arm.twist, out_, gaze.turn, mask_);
+  x.pose = error.pose;
   x.desired_rate << out_.desired.velocity, gaze.desired.angular_velocity;
   x.desired_accel << out_.desired.acceleration, gaze.desired.angular_acceleration;
-  x.rate = arm.twist - x.desired_rate;
-  if (turns_freely) x.rate.tail<3>() = axis_rate(arm.R_0T, x.rate.tail<3>());
-  x.integral = integral_;
   // No position control while avoiding, so that the repulsion meets damping only.
-  if (avoiding) x.rate.head<3>().setZero();
+  x.rate = error.rate;
+  x.integral = integral_;
 
   Vec6 Kp = gains_.task_space_gains_p;
   // A law without a Kd of the task's has that of the joint space law, which the barrier is a multiple of.

@@ -1,7 +1,8 @@
 #pragma once
-// The decisions of a controller in a control period: its state, the motion that it tracks, its gains, its
-// pace along the path and its limits. They are made for each arm alone. The computations between them do not
-// depend on what was decided, so they can be done for one arm or for several side by side.
+// Makes the decisions of a controller in every control period: its state, the motion that it tracks, its
+// gains, its pace along the path and its limits. Decisions are made for each arm separately. The numerical
+// work between them does not depend on what was decided. It can therefore be done for one arm or for several
+// at once.
 
 #include <memory>
 #include <optional>
@@ -35,8 +36,8 @@ class ControlLogic {
   ControlLogic(std::shared_ptr<const RobotModel> model, const Gains& gains, double period,
                TaskMask mask = TaskMask::kPose);
 
-  /// First step of a period: decides the state and what it tracks. Returns true if the joint reference is yet
-  /// to be resolved from `task_reference()`, false if it is already in the output.
+  /// First step of a period: decides the state and the motion to track. Returns true if the caller must still
+  /// compute the joint reference from `task_reference()`, false if it is already in the output.
   bool decide(const JointState& measured, const ArmView& arm, const Scene& scene, double time);
   const TaskReference& task_reference() const { return task_reference_; }
 
@@ -51,7 +52,8 @@ class ControlLogic {
   /// Third step, with the law's torque in the output as the commanded one: adds the repulsion and the
   /// barrier, and applies the effort limits.
   void limit_torque(const JointState& measured, const ArmView& arm, const Scene& scene);
-  /// Last step: advances the integral unless a joint is saturated. Returns true if the law may learn now.
+  /// Last step: advances the integral unless a joint is saturated. Returns true if the law may adapt its
+  /// model now.
   bool conclude();
 
   const ControlOutput& output() const { return out_; }

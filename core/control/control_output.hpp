@@ -1,5 +1,5 @@
 #pragma once
-// The inputs and outputs of a control period.
+// The inputs of a controller in one control period (joint state and scene), and its outputs.
 
 #include <span>
 
@@ -42,7 +42,7 @@ struct ControlOutput {
   bool slerping = false;
   MotionPoint<Vec3> desired;         ///< linear reference; the tool's own position if none is tracked
   OrientationPoint desired_gaze;     ///< orientation reference; identity before a state tracks one
-  Vec3 gaze_turn = Vec3::Zero();     ///< from the measured tool to its aim; of states that track one
+  Vec3 gaze_turn = Vec3::Zero();     ///< turn from the measured tool to its aim, if the state tracks one
   CartesianErrors errors;            ///< as used by the law; zero in states that track joints
   MotionPoint<JointVector> planned;  ///< qd, qd', qd'' of followPlan; empty before its first period
   JointReference reference;          ///< qr', qr''

@@ -1,5 +1,6 @@
 #pragma once
-// The gains k_f of the obstacles' repulsion (equation 9). The force on point i acts on joint j with the gain
+// The gains k_f with which obstacles repel the arm (equation 9 in NOTATION.md). The repulsion acts on n force
+// points, one per joint: the joint's origin or its link. The force on point i acts on joint j with the gain
 // k_f,i,j. A gains file has either one number per force point, which is used for every joint (k_f,i,j =
 // k_f,i), or a list of n numbers per force point, one for each joint.
 

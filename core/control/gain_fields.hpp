@@ -1,6 +1,7 @@
 #pragma once
-// The declarations of gains: name, unit, valid range, search range and meaning. The gains that only one kind
-// of controller has are declared with that kind, in the same form (core/control/laws/controller_kind.hpp).
+// Declares every gain of the controllers: name, unit, valid range, search range and meaning. Gains that only
+// one kind of controller has are declared with that kind, in the same form
+// (core/control/laws/controller_kind.hpp).
 
 #include <limits>
 #include <span>
@@ -20,10 +21,11 @@ enum class SearchRange {
   kCriticalDamping
 };
 
-/// The number of values of a controller's own gain: one, six of the task (x y z rx ry rz), or one per joint.
+/// The number of values of a gain that only one kind of controller has: one, six of the task
+/// (x y z rx ry rz), or one per joint.
 enum class GainShape { kScalar, kTask, kJoints };
 
-/// A controller's own gain, stored in Gains::own[place].
+/// A gain that only one kind of controller has, stored in Gains::own[place].
 struct OwnGain {
   GainShape shape = GainShape::kScalar;
   std::size_t place = 0;
@@ -44,12 +46,12 @@ struct GainField {
   double upper_factor = 5.0;
   /// Values must be below this.
   double below = std::numeric_limits<double>::infinity();
-  /// True for gains of a law: only the controllers that name it have it. Gains of states, references and
-  /// limits belong to every controller.
+  /// True if the gain belongs to a control law: only controllers that name it in ControllerKind::uses have
+  /// it. Gains of states, references and limits belong to every controller.
   bool of_law = false;
-  /// True if a factor on this gain is a factor on the loop's gain.
+  /// True if a factor on this gain is a factor on the gain of the control loop (for the gain margin).
   bool in_loop = false;
-  /// Default of each value of an own gain, if a gains file does not give it.
+  /// Default of each value of a gain that only one kind has, if a gains file does not give it.
   double otherwise = 0.0;
 
   bool is_number() const { return member.index() <= 4; }

@@ -1,5 +1,6 @@
 #pragma once
-// All values that a person can tune in the controller, under the names of the published ROS parameters.
+// The gains and settings of a controller that a person or a search can tune. Those of the published
+// controller have the names of its ROS parameters (NOTATION.md).
 
 #include <string>
 #include <vector>
@@ -10,7 +11,8 @@
 
 namespace armtune::internal {
 
-/// The orientation from which a slerp runs: the one at its start, or the current one (as the released code).
+/// The orientation from which a slerp interpolates: that at its start, or the current one (as in the released
+/// code).
 enum class SlerpReference { kStart, kCurrent };
 
 /// The gains of a controller. core/control/gain_fields.cpp declares unit and meaning of every field; files,

@@ -1,6 +1,7 @@
 #pragma once
-// Gaze orientation control (equation 7). Below the angular threshold the reference is the goal orientation
-// itself. Above it, the reference is a slerp whose parameter is a quintic over k_s times the angle.
+// Computes the reference orientation of a tool that points at a target, the gaze (equation 7 in NOTATION.md).
+// If the angle to the goal orientation is below a threshold, the reference is the goal orientation itself.
+// Otherwise it is a slerp, whose parameter is a quintic with a duration of k_s times the angle.
 //
 // With gaze feed-forward the desired orientation turns like the line from tool to target. Without it, as
 // published, the desired orientation is at rest outside slerps. With feed-forward, a slerp from its start
@@ -31,8 +32,8 @@ class GazeControl {
     Vec3 turn = Vec3::Zero();  ///< from the measured tool to its aim
   };
 
-  /// The largest joint speeds for a slerp's own turn. Its duration is extended to keep them. The motion with
-  /// which the slerp begins is added to it, and the velocity governor slows both.
+  /// The largest joint speeds for a slerp's own turn. The duration of the slerp is extended to keep them. The
+  /// motion with which the slerp begins is added to its own turn, and the velocity governor slows both.
   struct SpeedBound {
     std::function<const TaskInverse&()> inverse;  ///< of the present Jacobian; called when a slerp starts
     const JointVector& bound;                     ///< (n) [rad/s, m/s]

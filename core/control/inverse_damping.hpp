@@ -1,5 +1,5 @@
 #pragma once
-// The damping of the inverse of the Jacobian near singularities.
+// Damping of the Jacobian's inverse near singularities, which bounds the joint velocities there.
 //
 // If the damping psi is switched on at once, the joint reference jumps when the manipulability m passes the
 // threshold. Variable damping grows from zero there: psi (1 - m/threshold)^2 (Nakamura, Hanafusa, Inverse

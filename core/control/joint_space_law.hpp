@@ -1,6 +1,7 @@
 #pragma once
-// Joint space references, for leaveSingularity (a quintic from the start pose to the goal) and for followPlan
-// (a planned trajectory):
+// The velocity and acceleration references of the joints when the controller tracks a joint motion qd. This
+// motion is a quintic from the start pose to the goal (state leaveSingularity) or a planned trajectory (state
+// followPlan):
 //   qr' = qd' - Kp (q - qd),   qr'' = qd'' - Kp (q' - qd').
 
 #include "core/common/types.hpp"

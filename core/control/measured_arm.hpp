@@ -1,5 +1,6 @@
 #pragma once
-// The measured state of an arm as the control laws need it: poses, Jacobian, and the Jacobian's inverse.
+// The quantities that control laws compute once per control period from the measured joint positions and
+// velocities: poses, Jacobian, and the Jacobian's inverse.
 
 #include "core/control/task_inverse.hpp"
 #include "core/robot/kinematics.hpp"

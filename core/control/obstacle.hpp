@@ -7,7 +7,8 @@
 
 namespace armtune::internal {
 
-/// A ball of four numbers. The center must be the first member (sim/lanes relies on it).
+/// A ball, stored as four numbers. The center must be the first member, because sim/lanes reads the four
+/// numbers in this order.
 template <typename T>
 struct ObstacleT {
   Vec3T<T> center = Vec3T<T>::Zero();  ///< [m]

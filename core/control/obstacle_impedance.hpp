@@ -1,9 +1,11 @@
 #pragma once
-// Impedance obstacle avoidance (equations 9 and 10):
+// Obstacle avoidance by repulsive forces on the arm, which become joint torques (equations 9 and 10 in
+// NOTATION.md):
 //   tau = sum_i k_f,i * (J_i^T sum_j f(i,j)),   f = (1 - s/r_o)^2 d/|d|,   d = joint origin i - centre of j,
-// with s = |d| - radius of j. k_f,i multiplies joint by joint, or is one number (force_gains.hpp). In a chain
-// with link_radius the links keep away instead: d runs to the point of link i that is nearest to the centre,
-// s is measured to the link's surface, and J_i is that of the point.
+// with the obstacles j and s = |d| - radius of j. k_f,i multiplies joint by joint, or is one number
+// (force_gains.hpp). In a chain with link_radius the forces act on the links instead. d then runs to the
+// point of link i that is nearest to the centre, s is measured to the link's surface, and J_i is that of the
+// point.
 
 #include <span>
 
@@ -13,8 +15,9 @@
 
 namespace armtune::internal {
 
-/// Returns the repulsion by a surface that is `inside` [m] short of d. It is at most 1 long, and zero from a
-/// distance of influence_radius on.
+/// Returns the repulsion f of one obstacle. d [m]: from the obstacle's centre to the point on the arm. inside
+/// [m]: part of |d| that lies inside the obstacle or the link. f is at most 1 long, and zero if the remaining
+/// distance is influence_radius or more.
 Vec3 repulsion(const Vec3& d, double influence_radius, double inside = 0.0);
 
 /// Computes the repulsive joint torques (n) [N m]. Those of the fourth joint and up are zero, as published,

@@ -1,6 +1,7 @@
 #pragma once
-// A search for joint positions at which the tool reaches a goal: damped least squares (Wampler 1986; Nakamura
-// and Hanafusa 1986) from many starts. The best result is taken.
+// Inverse kinematics: searches for joint positions at which the tool reaches a goal, by damped least squares
+// (Wampler 1986; Nakamura and Hanafusa 1986). The search runs from many starts, and the caller's score
+// decides which result is best. Start poses of scenarios and of planned motions are computed with it.
 
 #include <functional>
 #include <optional>
@@ -26,8 +27,8 @@ bool reach_goal(const RobotModel& robot, const ToolGoal& goal, JointVector& q);
 std::optional<JointVector> best_pose(const RobotModel& robot, const ToolGoal& goal, const JointVector& first,
                                      const std::function<double(const JointVector&)>& score);
 
-/// Returns number `sample` of a fixed series of joint positions (n) within the limits. The range of a
-/// revolute joint is at most one turn, around zero if its limits allow that.
+/// Returns number `sample` of a fixed pseudo-random series of joint positions (n) within the limits. The
+/// range of a revolute joint is at most one turn, around zero if its limits allow that.
 JointVector sample_position(const RobotModel& robot, unsigned sample);
 
 /// The joint that is closest to a position limit, and its distance from it as a share of its range: 0.5 in

@@ -1,8 +1,9 @@
 #pragma once
-// Roll control of a gaze. A gaze fixes where the tool's z axis points and leaves the turn about it, the roll,
-// free. Without control the roll drifts: closed laps of tool and target do not bring the joints back, and the
-// last joint winds up until it reaches its position limit. RollCentering turns the tool about its z axis so
-// that the last joint returns to the middle of its limits.
+// Roll control of a tool that points at a target (the gaze). The gaze fixes where the tool's z axis points
+// and leaves the turn about it, the roll, free. Without control the roll drifts: after closed laps of tool
+// and target the joints do not return to where they were, and the last joint winds up until it reaches its
+// position limit. RollCentering turns the tool about its z axis so that the last joint returns to the middle
+// of its limits.
 //
 // Where the last joint turns about the tool's z axis, a roll moves that joint alone: q_n' = c rho, with the
 // roll rate rho and c = +1 or -1 by the direction of the joint's axis. With m the middle of the limits,
@@ -22,11 +23,11 @@ class RollCentering {
   /// is revolute, has position limits and turns about the tool's z axis.
   RollCentering(const RobotModel& model, double gain, TaskMask mask);
 
-  /// True if a gaze is to be rolled.
+  /// True if the control is on.
   bool is_on() const { return gain_ > 0.0; }
 
   /// Advances by one control period [s], with the joints measured at q (n). frozen_start: true during a slerp
-  /// from a frozen orientation; the roll since its start is then kept.
+  /// that interpolates from the orientation at its start; the roll since then is kept.
   void step(const JointVector& q, double period, bool frozen_start);
 
   /// Adds the roll to the desired orientation, its angular velocity and its angular acceleration.

@@ -1,7 +1,8 @@
 #pragma once
-// A joint goal that moves with the task: the joint positions of an arm that already follows the path and the
-// gaze. leaveSingularity can end there, in the task's own motion, instead of at a pose that is the same for
-// every task.
+// A moving goal for leaveSingularity, the joint motion with which the controller starts if it has no planned
+// trajectory. The goal is where an arm would be that already follows the tool's path and desired orientation.
+// leaveSingularity can end there, in the motion of the task, instead of at a pose that is the same for every
+// task.
 //
 // The goal is computed by closed-loop inverse kinematics (Siciliano et al., Robotics: Modelling, Planning and
 // Control, section 3.7) on a separate configuration:  q' = J+ (xd' - K e),  q'' = J+ (xd'' - K e' - J' q'),
@@ -24,9 +25,9 @@ class TaskGoal {
   }
 
   /// Returns the goal's q, q', q'' now, and advances the goal by dt [s] for the next call. path: desired tool
-  /// motion. aim: desired orientation. damping: of the inverse. mask: the components of both that are the
-  /// task. centering: of joints that the task does not need. roll: turns the tool about its z axis as well;
-  /// null: nothing does.
+  /// motion. aim: desired orientation. damping: damping of the inverse. mask: the components of path and aim
+  /// that belong to the task. centering: motion of joints that the task does not need. roll: also turns the
+  /// tool about its z axis; null: no such turn.
   const MotionPoint<JointVector>& step(const Chain& chain, const MotionPoint<Vec3>& path, const ToolAim& aim,
                                        const InverseDamping& damping, TaskMask mask,
                                        const JointCentering& centering, double dt,

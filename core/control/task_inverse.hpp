@@ -1,5 +1,6 @@
 #pragma once
-// The manipulability-switched inverse of the Jacobian (equations 3 and 4):
+// The inverse J+ of the Jacobian, which is damped if the manipulability m is below a threshold (equations 3
+// and 4 in NOTATION.md):
 //   m = sqrt(det(J J^T));  m >= threshold: J^-1, or J^T (J J^T)^-1 with more than six joints;
 //   otherwise the damped J^T (J J^T + psi I)^-1.
 // For a task with fewer components (core/control/task_mask.hpp) J stands for E J. E selects the components:

@@ -1,6 +1,6 @@
 #pragma once
-// The components of the tool's motion that are the task. An arm of n joints can control at most n of them;
-// joints beyond the number of components are redundant.
+// The components of the tool's motion that the task prescribes. An arm of n joints can control at most n of
+// them; joints beyond the number of components are redundant.
 
 namespace armtune::internal {
 

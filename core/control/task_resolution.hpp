@@ -1,10 +1,10 @@
 #pragma once
-// The joint references that follow from a Cartesian one (equation 2):  qr' = J+ xr',
+// Computes the references of the joints from those of the tool (equation 2 in NOTATION.md):  qr' = J+ xr',
 // qr'' = J+ (xr'' - J' qr').
 //
-// With more joints than task components, many motions fulfil the task. The references are the one of them
-// that is closest to a motion z, which draws the joints to the middle of their position limits (Liegeois,
-// Automatic supervisory control of the configuration and behavior of multibody mechanisms, 1977):
+// With more joints than task components, many joint motions fulfil the task. The references are the one of
+// them that is closest to a motion z, which draws the joints to the middle of their position limits
+// (Liegeois, Automatic supervisory control of the configuration and behavior of multibody mechanisms, 1977):
 //   qr' = z + J^T L,   L = (J J^T)^-1 (xr' - J z),   z = -k (q - middle)
 // and, as qr'' is the derivative of qr' along the motion,
 //   qr'' = y + J^T (J J^T)^-1 (xr'' - J' qr' - J y),   y = z' + J'^T L.
@@ -18,8 +18,8 @@
 
 namespace armtune::internal {
 
-/// Returns (0, w x L_angular), for a task whose components turn with the tool. It is E'^T of multipliers, and
-/// -E' of motions.
+/// Returns (0, w x L_angular), for a task whose components E turn with the tool. For multipliers L = E^T l it
+/// is E'^T l. For a motion L, E times the result is -E' L.
 template <typename T>
 Vec6T<T> turning(const Vec3T<T>& w, const Vec6T<T>& L) {
   Vec6T<T> turned = Vec6T<T>::Zero();

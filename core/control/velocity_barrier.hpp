@@ -1,7 +1,8 @@
 #pragma once
-// A velocity barrier for each joint. It is damping that grows as |q'| nears its limit, against torques that
-// bypass the velocity reference. With x = (|q'|/limit - start) / (1 - start) and h = 3 x^2 - 2 x^3, which
-// rises from 0 at the start to 1 at the limit:
+// A velocity barrier for each joint: damping that grows as |q'| nears its limit. It acts against torques that
+// bypass the velocity reference, such as the repulsion of obstacles. With the variables
+// x = (|q'|/limit - start) / (1 - start) and h = 3 x^2 - 2 x^3, where h rises from 0 at the start to 1 at the
+// limit, it is
 //   tau_i <- tau_i - gain Kd_i h (|q'_i| - start limit_i) sign(q'_i).
 // A bypassing torque in the direction of motion is multiplied by 1 - h. The damping counts from the start of
 // the barrier, so that its slope stays below 1.7 gain Kd: a steeper one rings in a sampled loop.

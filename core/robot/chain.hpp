@@ -1,6 +1,7 @@
 #pragma once
-// A serial chain for the numerical kernels: geometry, inertia and friction, without names and limits. Its
-// scalar type is T, so that the same kernels can compute several arms at once.
+// The parameters of a serial chain of joints: geometry, inertia and friction, without names and limits.
+// Kinematics, dynamics and control laws compute with it. The scalar type T is double for one arm. With a SIMD
+// type (common/pack.hpp) the same code computes several arms at once.
 
 #include <array>
 
@@ -32,7 +33,8 @@ struct ChainT {
   JointVectorT<T> rotor_inertia;     ///< D, reflected to the joint [kg m^2, kg]
   JointVectorT<T> viscous_friction;  ///< [N m s/rad, N s/m]
   JointVectorT<T> coulomb_friction;  ///< [N m, N]
-  /// Radii of the links [m], for their distance from obstacles. Empty: the joints' origins count instead.
+  /// Radii of the links [m], for their distance from obstacles. If empty, the distance of the joints' origins
+  /// is used instead.
   JointVectorT<T> link_radius;
   Mat3T<T> R_BT = Mat3T<T>::Identity();  ///< tool frame in the last body frame
   Vec3T<T> p_BT = Vec3T<T>::Zero();

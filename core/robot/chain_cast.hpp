@@ -1,5 +1,6 @@
 #pragma once
-// Conversion of a chain to another scalar type, such as dual numbers.
+// Converts a chain (chain.hpp) to another scalar type. With dual numbers (common/dual.hpp), the kinematics of
+// the chain then have exact derivatives.
 
 #include "core/robot/chain.hpp"
 

@@ -1,8 +1,9 @@
 #pragma once
-// Forward dynamics by the articulated-body algorithm. Featherstone, Rigid Body Dynamics Algorithms, section
-// 7.3. Here it uses 3-vectors with the axes of the base, so that an articulated body only moves its origin
-// from one joint to the next and is never turned. Rotor inertia is added to each joint's own articulated
-// inertia, where it is exact. Linear and angular halves are computed together as twins (common/twin.hpp).
+// Forward dynamics: computes joint accelerations from joint torques by the articulated-body algorithm
+// (Featherstone, Rigid Body Dynamics Algorithms, section 7.3). All 3-vectors have the axes of the base. From
+// joint to joint, an articulated inertia is therefore only shifted to a new origin and never rotated. Rotor
+// inertia is added to the articulated inertia about each joint's own axis, which is exact. Linear and angular
+// parts are computed side by side, as pairs of numbers called twins (common/twin.hpp).
 
 #include "core/robot/friction_step.hpp"
 #include "core/robot/kinematics.hpp"
@@ -11,8 +12,8 @@
 
 namespace armtune::internal {
 
-/// The workspace of `forward_dynamics`: results that one pass leaves for the next, with base axes. Twins are
-/// linear and angular motion of the body's origin, or force and moment about that origin.
+/// The workspace of `forward_dynamics`: intermediate results that its passes share, with the axes of the
+/// base. A twin is either the linear and angular motion of the body's origin, or force and moment about it.
 template <typename T>
 struct ForwardDynamicsT {
   std::array<Vec3T<T>, kMaxJoints> arm;  ///< from the previous body's origin to the body's
@@ -130,8 +131,8 @@ void body_velocities(const ChainT<T>& chain, const PosesT<T>& poses, const Joint
   }
 }
 
-/// Computes the articulated bodies, from the tip inwards. Each joint passes on the force that its own motion
-/// does not absorb.
+/// Computes the articulated bodies, from the tip inwards. Each joint passes to the previous body the force
+/// that its own motion does not absorb.
 template <typename T, typename Friction>
 void articulated_bodies(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                         const JointVectorT<T>& torque, const Friction& friction, ForwardDynamicsT<T>& s) {

@@ -1,5 +1,6 @@
 #pragma once
-// Joint friction: viscous, and Coulomb friction smoothed by tanh. Plant and regressor share this definition.
+// Joint friction: viscous friction, and Coulomb friction with its sign function smoothed by tanh. The
+// simulated arm and the regressor of its dynamics (slotine_li.hpp) use the same definition.
 
 #include <cmath>
 
@@ -12,9 +13,9 @@ namespace armtune::internal {
 /// Velocity scale of tanh, which replaces the sign function [rad/s, m/s].
 inline constexpr double kCoulombVelocity = 0.05;
 
-/// Returns the direction of Coulomb friction at velocity qd, tanh(q' / 0.05). It needs one exponential and is
-/// exact to 1e-16. The library's tanh is also accurate relative to results near zero, and takes three times
-/// as long.
+/// Returns the direction of Coulomb friction at velocity qd, tanh(q' / 0.05). It needs one exponential, and
+/// its absolute error is about 1e-16. The standard library's tanh is also accurate relative to results near
+/// zero, but takes three times as long.
 template <typename T>
 T coulomb_direction(const T& qd) {
   using std::exp;

@@ -1,5 +1,6 @@
 #pragma once
-// Friction over one step of integration: linearly implicit where friction is stiff, explicit elsewhere.
+// Joint friction over one time step of the integration: linearly implicit where friction is stiff, explicit
+// elsewhere.
 //
 // If only friction acts, an explicit step of h multiplies the velocity by about 1 - h c / d, where c is the
 // slope of the friction law and d the inertia that the joint moves. The step is unstable once h c / d
@@ -13,12 +14,13 @@
 // section IV.7), with these choices:
 //   - G is 0 where friction is not stiff. The rule is then bit for bit the explicit one, and has its order.
 //   - Where friction is stiff, G is h c / 2. The rule is then of second order (the semi-implicit Euler rule
-//     of first), because the two terms with G differ by O(h^2). A step of friction alone gains no energy,
-//     because h c is at most twice M + D + G.
+//     of first order), because the two terms with G differ by O(h^2). A step of friction alone gains no
+//     energy, because h c is at most twice M + D + G.
 //   - Beyond h c = 2 d the inertia d + G is raised to h c, so that friction alone stops the joint within the
 //     step. With less, the velocity would change its sign in every step and hardly decay.
-//   - c = Fv + Fc / max(|v|, 0.05) is no less than the secant f(v) / v. The derivative f'(v) does not serve:
-//     it vanishes at high speed, where a step that takes away h Fc / d of velocity would throw a joint back.
+//   - c = Fv + Fc / max(|v|, 0.05) is no less than the secant f(v) / v. The derivative f'(v) cannot replace
+//     it, because its Coulomb part vanishes at high speed. A step would then subtract the velocity h Fc / d
+//     explicitly, which can reverse the motion of a joint.
 
 #include <cmath>
 
@@ -36,14 +38,15 @@ struct AddedByFriction {
   T force;    ///< [N m, N]
 };
 
-/// Friction at an instant. It adds nothing: it is the torque f(q') alone, which the dynamics subtract.
+/// Friction at one instant, for q'' without a time step. It adds no terms, because the dynamics already
+/// subtract the friction torque f(q').
 struct InstantFriction {
   template <typename T>
   void add(const ChainT<T>& /*chain*/, Eigen::Index /*i*/, const T& /*qd*/, T& /*inertia*/,
            T& /*force*/) const {}
 };
 
-/// Friction over a step of h.
+/// Friction over a time step h, as derived at the head of this file.
 template <typename T>
 class FrictionStep {
  public:

@@ -1,8 +1,9 @@
 #pragma once
-// Exact derivatives of the inverse dynamics with respect to q, q' and q''. Singh, Russell, Wensing, Efficient
-// analytical derivatives of rigid-body dynamics using spatial vector algebra, RA-L 2022. Spatial vectors are
-// (angular, linear), about the base frame's origin and with its axes. Featherstone, Rigid Body Dynamics
-// Algorithms, chapter 2.
+// Exact derivatives of the inverse dynamics (dynamics.hpp) with respect to q, q' and q''. The motion planner
+// needs them for its torque limits. The method is that of Singh, Russell and Wensing, Efficient analytical
+// derivatives of rigid-body dynamics using spatial vector algebra, RA-L 2022. Spatial vectors are (angular,
+// linear), about the base frame's origin and with its axes: Featherstone, Rigid Body Dynamics Algorithms,
+// chapter 2.
 
 #include "core/robot/friction.hpp"
 #include "core/robot/kinematics.hpp"

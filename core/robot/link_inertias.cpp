@@ -73,9 +73,9 @@ void LinkInertias::judge(Chain& chain, const std::string& source, MissingData* m
   }
   if (missing != nullptr || named.empty()) return;
   throw InputError(fmt::format(
-      "{}: principal moments of inertia that no rigid body has [kg m^2]: {}; none may be negative, or larger "
-      "than the sum of the other two (triangle inequality). 'armtune robot {} --sidecar arm.yaml' proposes "
-      "the nearest possible ones",
+      "{}: no rigid body has these principal moments of inertia [kg m^2]: {}. None may be negative, or "
+      "larger than the sum of the other two (triangle inequality). 'armtune robot {} --sidecar arm.yaml' "
+      "proposes the nearest possible values",
       source, named, source));
 }
 

@@ -46,8 +46,8 @@ RobotModel with_link_surfaces(const RobotModel& model) {
   }
   if (!unknown.empty()) {
     throw InputError(fmt::format(
-        "{}: the thickness of {} is not known, because no box, cylinder, sphere or capsule is given for it; "
-        "give link_radius [m] in the robot's YAML",
+        "{}: the thickness of these links is not known: {}. They have no box, cylinder, sphere or capsule as "
+        "a shape; give link_radius [m] in the robot's YAML",
         model.source, fmt::join(unknown, ", ")));
   }
   RobotModel result = model;

@@ -1,15 +1,16 @@
 #pragma once
-// The thickness of links, for the distance of obstacles from capsules around them.
+// The radii of capsules around the links of an arm. Scenarios use them to measure the distance of obstacles
+// from whole links instead of from the joints' origins.
 
 #include "core/robot/robot_model.hpp"
 
 namespace armtune::internal {
 
 /// Returns the radius [m] of each link (n), from its simple collision shapes or, if it has none, its simple
-/// visual shapes. It is the largest radius of the link's cylinders, capsules and spheres; a box counts with
-/// the half diagonal across its longest edge. It is NaN if there is no such shape, for example only meshes.
-/// The position of a shape is ignored: one beside the straight line between the joints' origins sticks out of
-/// the capsule around that line.
+/// visual shapes. It is the largest radius of the link's cylinders, capsules and spheres. A box counts with
+/// half the diagonal of its cross-section perpendicular to its longest edge. The radius is NaN if there is
+/// no such shape, for example only meshes. The position of a shape is ignored: a shape beside the straight
+/// line between the joints' origins sticks out of the capsule around that line.
 JointVector shape_radii(const RobotModel& model);
 
 /// Returns the same arm with capsules around its links, for its distance from obstacles. Each runs straight

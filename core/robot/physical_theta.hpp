@@ -1,9 +1,10 @@
 #pragma once
-// Physically valid theta. The pseudo-inertia of every link,
+// The condition for physically possible parameters theta (theta.hpp), and the projection onto it. The
+// adaptive control law can keep its estimate of theta possible with it. The pseudo-inertia of every link,
 //   P = [Sigma h; h^T m],   Sigma = tr(I)/2 1 - I,   h = m c,
-// is positive semi-definite, which holds exactly if some distribution of mass has these ten parameters
+// must be positive semi-definite. This holds exactly if some distribution of mass has these ten parameters
 // (Wensing, Kim and Slotine, Linear matrix inequalities for physically consistent inertial parameter
-// identification, 2018). Rotor inertia and friction are not negative.
+// identification, 2018). Rotor inertia and friction must not be negative.
 
 #include "core/robot/theta.hpp"
 

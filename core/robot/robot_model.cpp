@@ -130,11 +130,11 @@ void Checker::link(int i) const {
           "link '{}': inertia is not symmetric (ixy {:.6g}, iyx {:.6g})", link, I_B(0, 1), I_B(1, 0));
 
   const Vec3 moments = principal_moments(body);
-  require(
-      is_physical(body),
-      "link '{}': its principal moments of inertia about its centre of mass are {:.6g}, {:.6g} and {:.6g} kg m^2; "
-      "no rigid body has a negative one, or one larger than the sum of the other two (triangle inequality)",
-      link, moments[0], moments[1], moments[2]);
+  require(is_physical(body),
+          "link '{}': its principal moments of inertia about its centre of mass are {:.6g}, {:.6g} and "
+          "{:.6g} kg m^2; no rigid body has a negative one, or one larger than the sum of the other two "
+          "(triangle inequality)",
+          link, moments[0], moments[1], moments[2]);
   if (model_.chain.motion[k] == JointMotion::kRevolute)
     require(I_B(2, 2) > 1e-12 * I_B.trace(),
             "link '{}': inertia about the axis of joint '{}' is {:.6g} kg m^2; the link turns about it, so "
@@ -284,7 +284,7 @@ LinkInertia in_frame(const LinkInertia& body_B, const Mat3& R_AB, const Vec3& p_
 
 RobotModel with_payload(const RobotModel& model, const Payload& payload) {
   if (!std::isfinite(payload.mass) || payload.mass < 0.0)
-    throw InputError(fmt::format("payload: mass is {} kg; give a finite one, 0 or more", payload.mass));
+    throw InputError(fmt::format("payload: mass is {} kg; it must be finite and 0 or more", payload.mass));
   if (!payload.center.allFinite())
     throw InputError("payload: its centre is not finite; give three numbers in metres, in the tool frame");
   RobotModel loaded = model;

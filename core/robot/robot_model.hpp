@@ -1,6 +1,6 @@
 #pragma once
-// The model of an arm: the chain, its names and its limits. It does not change after construction and is
-// shared by all workers.
+// The model of a robot arm: its chain of joints and links, their names and their limits. It does not change
+// after construction, so that all threads can share it.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// An estimate of the inertia of a motor's rotor, for joints whose data do not give it. At a geared joint, the
+// Estimates the rotor inertia of joint motors when the robot's files do not give it. At a geared joint, the
 // rotor's inertia counts times the square of the gear ratio. In the wrists of an arm this is many times the
 // inertia of the links.
 
@@ -15,8 +15,8 @@ namespace armtune::internal {
 /// (its motors and gear ratios). A thirtieth of a second is within a factor of 3 of all of them.
 inline constexpr double kRotorTime = 1.0 / 30.0;
 
-/// The uncertainty of the estimate. A result that rests on it must hold from the estimate divided by this
-/// factor to the estimate times it.
+/// The uncertainty of the estimate. A result that depends on the estimate must hold for every rotor inertia
+/// from the estimate divided by this factor to the estimate times this factor.
 inline constexpr double kRotorFactor = 3.0;
 
 /// Sets the rotor inertia of every joint that has none to kRotorTime * effort limit / velocity limit

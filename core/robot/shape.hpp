@@ -1,6 +1,7 @@
 #pragma once
-// The geometry of a link: a simple body, or a mesh in a file, fixed in a body frame. It is used for drawing,
-// and for the thickness of a link (link_radius.hpp).
+// A visual or collision shape of a robot's link: a box, cylinder, sphere, capsule, or mesh in a file. Its
+// pose is fixed in a body frame. It is used for drawing, for collision checks and for the thickness of a link
+// (link_radius.hpp).
 
 #include <string>
 

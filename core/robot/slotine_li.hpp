@@ -1,12 +1,17 @@
 #pragma once
-// The Slotine-Li regressor: Y(q, q', qr', qr'') theta = (M + D) qr'' + C(q, q') qr' + g + friction(q'),
-// with the C for which M' - 2C is skew. Slotine and Li, On the adaptive control of robot manipulators, 1987.
+// The Slotine-Li regressor Y: Y(q, q', qr', qr'') theta = (M + D) qr'' + C(q, q') qr' + g + friction(q'),
+// where D is the diagonal matrix of the rotors' inertia, and C the factor for which dM/dt - 2C is skew.
+// Control laws compute the torque Y theta of their arm model with it. Adaptation and identification estimate
+// theta (theta.hpp) with it. Sources: Slotine and Li, On the adaptive control of robot manipulators, 1987.
 // The recursion is that of Niemeyer and Slotine, Performance in adaptive manipulator control, 1991.
 //
-// The force of one body is  I (ar - v x vr / 2) + v x* (I vr) / 2 + vr x* (I v) / 2  in spatial notation,
-// with ar_i = X ar + S qr'' + v_i x S qr'. It is multiplied out in 3-vectors. With v = (v, w) and
-//   e = ar_linear + wr x v,     a = ar_angular - w x wr / 2,
-// the first-moment terms collapse by Jacobi's identity to
+// In spatial notation (Featherstone), with capital letters for spatial vectors, the force on one body is
+//   F = I (Ar - V x Vr / 2) + V x* (I Vr) / 2 + Vr x* (I V) / 2,   with Ar_i = X Ar + S qr'' + V_i x S qr'.
+// The code multiplies it out in 3-vectors: V = (v, w) and Vr = (vr, wr), each linear and angular,
+// Ar = (ar, br), F = (f, t). A body has the mass m, the first moment h and the rotational inertia I about its
+// frame. With
+//   e = ar + wr x v,     a = br - w x wr / 2,
+// the terms with h collapse by Jacobi's identity to
 //   f = m e + a x h + (w x (wr x h) + wr x (w x h)) / 2
 //   t = h x e + I a + (w x (I wr) + wr x (I w)) / 2.
 
@@ -17,8 +22,8 @@
 
 namespace armtune::internal {
 
-/// The motion of every body for one (q, q', qr', qr''), from which Y theta, Y^T S and Y are computed. Twins
-/// are the linear and angular half, of the body's origin and in its frame.
+/// The motion of every body for one (q, q', qr', qr''), from which Y theta, Y^T S and Y are computed. Each
+/// twin (common/twin.hpp) holds the linear and the angular motion of the body's origin, in the body's frame.
 template <typename T>
 struct SlotineLiT {
   int n = 0;
@@ -76,7 +81,7 @@ void slotine_li_forward(const ChainT<T>& chain, const PosesT<T>& poses, const Jo
   }
 }
 
-/// Returns the inertia in a link's ten parameters as both matrices of a twin.
+/// Returns the inertia matrix of a link's ten parameters twice, as the first and as the second matrix.
 template <typename T, typename Link>
 TwinSymmetric3T<T> inertia_twice(const Link& link) {
   return {Twin<T>::both(link[4]), Twin<T>::both(link[5]), Twin<T>::both(link[6]),

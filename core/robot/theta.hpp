@@ -1,5 +1,6 @@
 #pragma once
-// The parameter vector theta, in which the dynamics are linear, and the order of its entries.
+// The vector theta of an arm's inertial and friction parameters, and the order of its entries. The equations
+// of motion are linear in theta, so that adaptation and identification can estimate it.
 //
 // It has ten entries per link, link by link, in the link's body frame B (z along the joint axis), with the
 // inertia about B's origin:

@@ -1,5 +1,6 @@
 #pragma once
-// A link's inertia with the axes of another frame, about the same origin.
+// Rotates the inertia of a link into the axes of another frame, about the same origin. Forward dynamics need
+// the inertia of every link with the axes of the base.
 
 #include "core/robot/chain.hpp"
 #include "core/robot/twin_vectors.hpp"

@@ -1,5 +1,6 @@
 #pragma once
-// Vectors and matrices of twins: two vectors that the same rotation turns, or two symmetric matrices at once.
+// Vectors and matrices whose entries are pairs of numbers, called twins (common/twin.hpp). With them the
+// dynamics compute two 3-vectors or two symmetric matrices at once, such as force and moment.
 
 #include "core/common/products.hpp"
 #include "core/common/twin.hpp"
@@ -99,7 +100,7 @@ template <typename T>
           v.x * R(0, 2) + v.y * R(1, 2) + v.z * R(2, 2)};
 }
 
-/// One 3 x 3 matrix by its columns. The upper two rows of each column are a twin.
+/// One 3 x 3 matrix, stored by columns. The upper two entries of each column form a twin.
 template <typename T>
 struct SplitMat3T {
   Twin<T> top[3];

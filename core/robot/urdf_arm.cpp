@@ -125,7 +125,7 @@ class ArmBuilder {
       held += fmt::format("{}{}: {}", held.empty() ? "" : ", ", joint->name, place_to_hold(*joint, options_));
     }
     refuse(
-        "the chain to '{1}' does not contain the moving joints {0}; fix them at a position (rad or m) with "
+        "the moving joints {0} are not part of the chain to '{1}'; fix them at a position (rad or m) with "
         "'hold: {{{2}}}' in a robot YAML",
         names, tip_name(), held);
   }
@@ -136,8 +136,10 @@ class ArmBuilder {
       if (!options_.held.contains(name)) {
         if (!moves(name)) refuse("limits: joint '{}' is not a moving joint of this arm; leave it out", name);
       } else if (limits.velocity || limits.effort) {
-        refuse("limits: joint '{}' is held, so only lower and upper are used; leave out velocity and effort",
-               name);
+        refuse(
+            "limits: joint '{}' is fixed by 'hold', so only lower and upper are used; leave out velocity and "
+            "effort",
+            name);
       }
     }
     for (const auto& [name, shapes] : options_.shapes) {
@@ -250,8 +252,10 @@ class ArmBuilder {
 
   void require_supported(const UrdfJoint& joint, const Site& parent) const {
     if (joint.motion == UrdfMotion::kOther)
-      refuse("joint '{}': floating and planar joints are not supported; make it fixed, or several joints",
-             joint.name);
+      refuse(
+          "joint '{}': floating and planar joints are not supported; replace it by a fixed joint, or by "
+          "revolute and prismatic joints",
+          joint.name);
     if (!joint.mimics.empty()) refuse_mimic(joint);
     if (!joint.limits && missing_ == nullptr && !options_.limits.contains(joint.name))
       refuse("joint '{}': no limits; add <limit velocity=\"..\" effort=\"..\"/> in rad/s and N m",

@@ -1,5 +1,6 @@
 #pragma once
-// The model of the arm that is part of a URDF's tree.
+// Builds the model of an arm from the complete content of a URDF (urdf_tree.hpp), which may also describe
+// other machines.
 
 #include <string>
 
@@ -9,9 +10,9 @@
 
 namespace armtune::internal {
 
-/// Builds the arm. Throws InputError, beginning with `source`. If `missing` is given, it collects the data
-/// that neither file nor options give, instead of throwing for them. The arm then has placeholders of 1 in
-/// their place and is not for simulation.
+/// Builds the model of the arm. Throws InputError with a message that begins with `source`. If `missing` is
+/// given, data that neither file nor options give are collected there, instead of throwing. The model then
+/// has placeholders of 1 in their place and must not be simulated.
 RobotModel build_arm(const UrdfTree& tree, const UrdfOptions& options, const std::string& source,
                      MissingData* missing = nullptr);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The interfaces that ros2_control gives a robot's joints, read from its URDF.
+// Reads from a URDF which command and state interfaces ros2_control gives each joint, such as "position".
 
 #include <map>
 #include <string>

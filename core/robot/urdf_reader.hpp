@@ -1,5 +1,5 @@
 #pragma once
-// The reader that makes a RobotModel from a URDF file.
+// Reads the model of an arm (robot_model.hpp) from a URDF file.
 
 #include <string>
 
@@ -15,8 +15,8 @@ namespace armtune::internal {
 /// there. Throws InputError naming the file, the link or joint, and what to do.
 RobotModel read_urdf(const std::string& path, const UrdfOptions& options = {});
 
-/// Returns the data that the file and the options leave open for the arm. Throws as read_urdf does for
-/// everything else.
+/// Returns the data of the arm that are missing or wrong in the file and that the options do not give either.
+/// Throws as read_urdf does for everything else.
 MissingData missing_data(const std::string& path, const UrdfOptions& options = {});
 
 }  // namespace armtune::internal

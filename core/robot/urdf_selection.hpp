@@ -1,6 +1,7 @@
 #pragma once
-// The joints of a URDF's tree that move the arm: those on the way from its base link to its tip link. Other
-// joints are held by request, or move on links that the arm does not move, and do not matter to it.
+// Selects the joints of a URDF that belong to the arm: those on the chain from its base link to its tip link.
+// Other joints on its moving links must be held at a fixed position by request; urdf_arm.hpp refuses them
+// otherwise. Joints on links that the arm does not move are ignored.
 
 #include <optional>
 #include <set>
@@ -14,9 +15,10 @@ namespace armtune::internal {
 
 struct UrdfSelection {
   std::string base;  ///< name of the base link
-  /// Names of the joints from base to tip, if has_tip. Otherwise every joint after the base is the arm's.
+  /// Names of the joints from base to tip, if has_tip. Otherwise every joint after the base is part of the
+  /// arm.
   std::set<std::string> on_the_way;
-  bool has_tip = false;
+  bool has_tip = false;  ///< true if a moving joint lies between the base and a known tip
 };
 
 /// Returns a joint's lower and upper position limit [rad, m]; those of the options replace those of the file.

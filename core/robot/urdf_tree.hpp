@@ -1,5 +1,6 @@
 #pragma once
-// A URDF as it is in its file: all links and joints, before the arm is selected and links are merged.
+// The complete content of a URDF file: all its links and joints. The model of the arm is built from it
+// (urdf_arm.hpp).
 
 #include <map>
 #include <optional>
@@ -58,7 +59,8 @@ struct UrdfTree {
   std::map<std::string, UrdfJoint> joints;
 };
 
-/// Throws InputError, beginning with `source`, unless every link is reached from the root in exactly one way.
+/// Throws InputError, with a message that begins with `source`, unless every link is reached from the root in
+/// exactly one way.
 void require_tree(const UrdfTree& tree, const std::string& source);
 
 }  // namespace armtune::internal

@@ -1,6 +1,7 @@
 #pragma once
-// A writer of a RobotModel as a URDF with kinematics, inertia and limits, without shapes. Link frames are the
-// model's body frames.
+// Writes the model of an arm as the text of a URDF, with kinematics, inertia and limits but without shapes.
+// Identified arms and random variants of an arm are saved in this way. Link frames are the model's body
+// frames.
 
 #include <string>
 

@@ -118,9 +118,11 @@ class Scanner {
     if (name.starts_with("xacro:")) refuse_xacro(at, fmt::format("<{}>", name));
     if (elements_ == 0) refuse_other_format(at, name);
     if (++elements_ > kMaxElements)
-      refuse(at, "more than {} elements; armtune needs a serial arm", kMaxElements);
+      refuse(at, "the file has more than {} elements; armtune needs a serial arm, which has far fewer",
+             kMaxElements);
     if (name == "link" && ++links_ > kMaxLinks)
-      refuse(at, "more than {} links; armtune needs a serial arm", kMaxLinks);
+      refuse(at, "the file has more than {} links; armtune needs a serial arm, which has far fewer",
+             kMaxLinks);
     refuse_second(at, name);
     complete_limit(at, name, body);
     if (!body.ends_with('/') && ++depth_ > kMaxDepth)

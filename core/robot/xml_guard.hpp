@@ -1,6 +1,6 @@
 #pragma once
-// A check of URDF text before it reaches the XML parser: tinyxml recurses once per nesting level, and urdfdom
-// uses numbers that it cannot read as printf formats.
+// Checks the text of a URDF before the XML parser reads it. Some texts would crash the program there: tinyxml
+// recurses once per nesting level, and urdfdom uses text that it cannot read as a number as a printf format.
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
-// The gaze: the orientation that points the tool's z axis at a target with the shortest turn (equation 7).
-// The roll about z is left unchanged.
+// Computes the turn that points the tool's z axis at a target, such as a camera at an object (the gaze;
+// equation 7 in NOTATION.md). It is the shortest such turn, which leaves the roll about z unchanged.
 
 #include "core/trajectory/rotation.hpp"
 

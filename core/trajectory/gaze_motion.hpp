@@ -1,6 +1,7 @@
 #pragma once
-// Gaze feed-forward: the angular velocity of the line from the tool to a moving target, and the rate of the
-// shortest turn of a fixed frame onto that line. The derivatives of gaze_turn (gaze.hpp) are exact.
+// Feed-forward for a tool whose z axis points at a moving target. It consists of the angular velocity and
+// acceleration of the line from tool to target, and of the shortest turn of a fixed frame onto that line with
+// its first and second derivatives. The derivatives of gaze_turn (gaze.hpp) are exact.
 
 #include "core/trajectory/gaze.hpp"
 #include "core/trajectory/motion_point.hpp"

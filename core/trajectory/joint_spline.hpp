@@ -1,6 +1,7 @@
 #pragma once
-// A joint motion given at knots in time. Between knots the acceleration is linear, as planners by direct
-// transcription produce it, or the motion follows the segments of ROS's controllers.
+// A planned motion of an arm's joints, given by positions, velocities and accelerations at knots in time.
+// Between knots the acceleration is linear, as trajectory optimisation by direct transcription produces it.
+// Alternatively the motion follows the polynomials of ROS's controllers (ros_segments.hpp).
 
 #include <vector>
 
@@ -13,12 +14,13 @@ namespace armtune::internal {
 
 class JointSpline {
  public:
-  /// Makes a motion of linear acceleration. time [s]: of the knots, increasing, at least two. knots: q, q',
-  /// q'' of n joints at each (rad or m). Throws InputError if the times do not increase or the counts differ.
+  /// Makes a motion whose acceleration is linear between knots. time: times of the knots [s], increasing, at
+  /// least two. knots: q, q', q'' of n joints at each (rad or m). Throws InputError if the times do not
+  /// increase or the counts differ.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots);
 
-  /// Joins the knots as ros_segments does. given: the part of each knot that is used; the rest is taken as
-  /// zero. From the end on, the motion is that of the last knot. Throws as above.
+  /// Makes a motion from the segments of ros_segments. given: the data of each knot that are used; the others
+  /// are set to zero. From the end on, the motion is that of the last knot. Throws as above.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots, PointsGive given);
 
   double begin() const { return time_.front(); }
@@ -26,8 +28,8 @@ class JointSpline {
   const std::vector<double>& time() const { return time_; }
   const std::vector<MotionPoint<JointVector>>& knots() const { return knots_; }
 
-  /// Returns q, q', q'' at t; before the start and after the end, those of the start and of the end.
-  /// Allocates nothing; the knots around t are found by bisection.
+  /// Returns q, q', q'' at t. Before the start and after the end, it returns the values of the start and of
+  /// the end. Allocates nothing; the knots around t are found by bisection.
   MotionPoint<JointVector> at(double t) const;
 
   /// Returns the mean of q'' from t to t + dt, within the motion. If it is applied over that time, q' reaches

@@ -1,5 +1,6 @@
 #pragma once
-// A motion whose acceleration changes linearly in time: its jerk is constant, its position a cubic.
+// A motion whose acceleration changes linearly in time: its jerk is constant, its position a cubic. Planned
+// joint motions move in this way between two knots (joint_spline.hpp).
 
 #include "core/trajectory/motion_point.hpp"
 

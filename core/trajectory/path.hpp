@@ -1,6 +1,6 @@
 #pragma once
-// A path in time, of the tool, a target or an obstacle. It is a finite sum of harmonics about a centre, which
-// covers circles and similar curves,
+// The prescribed motion of a point over time: of the tool, a target or an obstacle. It is a finite sum of
+// harmonics about a centre, which covers circles and similar curves,
 //   p(t) = c + sum_k A_k cos(k phi) + B_k sin(k phi),   phi = w t + phase,
 // or a motion through knots, p(t) = c + spline(t).
 

@@ -34,8 +34,8 @@ class Builder {
 PositionSpline polyline(const std::vector<Vec3>& corners, double speed, double blend, bool closed) {
   const std::size_t n = corners.size();
   if (n < (closed ? 3U : 2U)) {
-    throw InputError(fmt::format("{} corners; a {} line needs at least {}", n, closed ? "closed" : "open",
-                                 closed ? 3 : 2));
+    throw InputError(fmt::format("the line has {} corners; a {} line needs at least {}", n,
+                                 closed ? "closed" : "open", closed ? 3 : 2));
   }
   if (!(speed > 0.0) || !(blend > 0.0)) {
     throw InputError(fmt::format("speed {} m/s and blend {} m must be above zero", speed, blend));

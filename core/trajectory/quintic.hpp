@@ -1,5 +1,5 @@
 #pragma once
-// A quintic polynomial between given position, velocity and acceleration at both ends.
+// A quintic polynomial in time with given position, velocity and acceleration at its start and at its end.
 // Siciliano et al., Robotics: Modelling, Planning and Control, section 4.2.1.
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 #pragma once
-// The way back to a moving point on the path (equation 8). A first duration follows from the distance to the
-// path's present point. The final one follows from the distance to the path's point after that duration.
+// The trajectory on which the tool returns to its path, for example after avoiding an obstacle (equation 8 in
+// NOTATION.md). The desired point moves along the path meanwhile, so the duration is computed in two steps. A
+// first duration follows from the distance to the desired point now. The final one follows from the distance
+// to where the desired point will be after the first duration.
 
 #include "core/trajectory/path.hpp"
 #include "core/trajectory/quintic.hpp"

@@ -1,5 +1,6 @@
 #pragma once
-// Angular velocity and acceleration of exp(psi(t)): w = J_l(psi) psi' with the left Jacobian of SO(3),
+// Computes the angular velocity w and acceleration of a frame that turns with the orientation exp(psi(t)),
+// where psi is a rotation vector: w = J_l(psi) psi' with the left Jacobian of SO(3),
 //   J_l = 1 + a [psi] + b [psi]^2,   a = (1 - cos)/angle^2,   b = (angle - sin)/angle^3.
 // Chirikjian, Stochastic Models, Information Theory, and Lie Groups, vol. 2, section 10.6.
 

@@ -1,5 +1,6 @@
 #pragma once
-// The spherical interpolation Q(s) = exp(s phi) Q_start with its angular velocity and acceleration.
+// Spherical interpolation (slerp) between two orientations, Q(s) = exp(s phi) Q_start, with its angular
+// velocity and acceleration. phi is the rotation vector from start to goal, and s runs from 0 to 1.
 
 #include "core/trajectory/rotation_rate.hpp"
 

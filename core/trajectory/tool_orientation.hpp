@@ -1,5 +1,6 @@
 #pragma once
-// The desired orientation of a tool that has no gaze: fixed, along the path, or through given orientations.
+// The desired orientation of a tool that does not point at a target. It is fixed, follows the direction of
+// the tool's path, or moves through given orientations.
 
 #include <memory>
 #include <optional>
@@ -10,7 +11,8 @@
 namespace armtune::internal {
 
 struct ToolOrientation {
-  /// Tool orientation in the base frame; with a `turn`, at its beginning. It is not used with an `approach`.
+  /// Tool orientation in the base frame. With a `turn`, it is the orientation at the turn's beginning. It is
+  /// not used with an `approach`.
   Eigen::Quaterniond start = Eigen::Quaterniond::Identity();
   /// Rotation vector [rad, base frame] in time: the orientation is exp(turn(t)) start. Null: it is fixed.
   std::shared_ptr<const PositionSpline> turn = nullptr;
@@ -30,13 +32,14 @@ struct ToolOrientation {
 /// rests in between.
 MotionPoint<Vec3> heading(const Path& path, double t);
 
-/// Largest turn through waypoints, from its beginning [rad]. Near a whole turn, a rotation vector does not
-/// determine an axis.
+/// Largest rotation [rad] from the first orientation of turning_through to any other. Near a whole turn, a
+/// rotation vector does not determine an axis.
 inline constexpr double kMostTurn = 1.5 * M_PI;
 
-/// Returns the turn through orientations at given times [s], increasing, at least two. It is the cubic spline
-/// through their rotation vectors from the first, at rest at both ends. Each vector is the one nearest to its
-/// predecessor. The caller must refuse vectors beyond kMostTurn.
+/// Returns the orientation that moves through the given ones at the given times [s], increasing, at least
+/// two. Rotation vectors lead from the first orientation to each, and each is chosen nearest to its
+/// predecessor. The motion is the cubic spline through these vectors, at rest at both ends. The caller must
+/// refuse vectors beyond kMostTurn.
 ToolOrientation turning_through(const std::vector<double>& time,
                                 const std::vector<Eigen::Quaterniond>& orientations);
 

@@ -10,8 +10,8 @@ namespace armtune {
 /// Returns (name, version) of armtune and of every library in use, armtune first.
 std::vector<std::pair<std::string, std::string>> versions();
 
-/// Returns the names of the bundled files in a folder: robots, scenarios, gains, studies, tasks or theta.
-/// Throws InputError for any other folder.
+/// Returns the names of the bundled files of one kind. folder: "robots", "scenarios", "gains", "studies",
+/// "tasks" (for plan) or "theta" (dynamic parameters of arms). Throws InputError for any other folder.
 std::vector<std::string> bundled(const std::string& folder);
 
 }  // namespace armtune

@@ -1,6 +1,6 @@
 #pragma once
-// The whole C++ interface of armtune in one include. plan.hpp, identify.hpp and program.hpp need further
-// libraries to link; each of them names its own.
+// Includes the whole C++ interface of armtune. A program that uses plan.hpp, identify.hpp or program.hpp must
+// link a further library, which the comment at the head of that header names.
 
 #include "armtune/about.hpp"
 #include "armtune/controller.hpp"

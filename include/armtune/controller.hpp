@@ -1,7 +1,10 @@
 #pragma once
-// The interface for adding a controller of your own: a law that turns references into joint torques, and the
-// declaration of its gains. armtune supplies the rest, the same for every controller: states, references,
-// gaze, returns, obstacles, the velocity governor and the limits.
+// The interface for adding a controller of your own. You write a control law, which computes joint torques
+// from references and the measured state, and you declare its gains.
+//
+// armtune supplies the rest, which is the same for every controller: the state machine, the references for
+// the tool's path and gaze, return trajectories to the path, the repulsion from obstacles, the velocity
+// governor and the effort limits.
 
 #include <Eigen/Core>
 #include <functional>
@@ -19,7 +22,8 @@ namespace internal {
 struct LawInput;
 }
 
-/// The inputs of a law in one control period, for an arm of n joints. It is valid during the call only.
+/// The inputs of a control law in one control period, for an arm of n joints. The object is valid only during
+/// the call that receives it.
 class LawState {
  public:
   using Vector = Eigen::Map<const Eigen::VectorXd>;
@@ -32,9 +36,10 @@ class LawState {
   Vector sliding() const;                 ///< S = q' - qr' (n) [rad/s, m/s]
   Vector damping() const;                 ///< Kd of the active state (n) [N m s/rad, N s/m]
   Jacobian jacobian() const;              ///< J of the tool, (v, w) = J q' in the base frame (6 x n)
-  /// Returns the name of the controller's state, such as "followTrajectory".
+  /// Returns the name of the current state of the controller's state machine, such as "followTrajectory".
   const char* state() const;
-  /// True in states whose reference is a joint motion. These states have neither a tool path nor a gaze.
+  /// True in states whose reference is a joint motion. In these states the tool follows no path and aims at
+  /// no target.
   bool tracks_joints() const;
 
   /// Computes tau = M(q) a + C(q, q') v + g(q) + friction(q') with the controller's model of the arm (n
@@ -57,13 +62,14 @@ class Law {
   Law& operator=(const Law&) = delete;
   virtual ~Law() = default;
 
-  /// Sets the torques (n) [N m, N], to which armtune then applies the obstacles' repulsion, the velocity
-  /// barrier and the effort limits. It is called once in every control period and must not allocate.
+  /// Sets the torques (n) [N m, N]. armtune then applies the obstacles' repulsion, the velocity barrier and
+  /// the effort limits to them. It is called once in every control period and must not allocate.
   virtual void torque(const LawState& state, Eigen::Ref<Eigen::VectorXd> tau) = 0;
-  /// Is called at the end of every control period. learning: true if no joint was saturated and adaptation is
-  /// wanted.
+  /// Is called at the end of every control period, for example to adapt parameters of the law. learning: true
+  /// if no joint was saturated and adaptation is wanted.
   virtual void conclude(bool /*learning*/) {}
-  /// True if every torque contains -Kd S, with the Kd of LawState::damping.
+  /// True if every torque contains -Kd S, with the Kd of LawState::damping. If a rollout diverges, armtune
+  /// then checks whether this Kd is too high for the control period.
   virtual bool contains_damping() const { return false; }
 };
 
@@ -74,8 +80,8 @@ enum class GainShape {
   kJoints  ///< one for each joint
 };
 
-/// A gain that belongs to one controller only. Gains files, help texts, search space, journal and report are
-/// built from this declaration.
+/// The declaration of a gain that belongs to one controller only. From it, armtune builds the gain's entries
+/// in gains files, help texts, search space, journal (log of a search) and report.
 struct GainDeclaration {
   GainShape shape = GainShape::kScalar;
   std::string name = {};
@@ -106,8 +112,8 @@ struct ControllerKind {
   std::vector<GainDeclaration> own = {};
   std::function<std::unique_ptr<Law>(const LawSetup&)> make = {};
   bool learns = false;  ///< true if the law adapts its model of the arm online
-  /// Sets start values of the kind's own gains for an arm that has no gains yet. q (n): joint positions at
-  /// which the arm is on its task. If empty, the gains get their declared defaults.
+  /// Sets start values of the kind's own gains for an arm that has no gains yet. q (n): joint positions
+  /// with the tool on its path. If this function is empty, the gains get their declared defaults.
   std::function<void(const Robot&, std::span<const double> q, Gains&)> start = {};
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// The gains of a controller, accessed by the names that its gains file uses.
+// A set of controller gains. A program reads it from a gains file, reads and changes single gains by their
+// names in that file, and writes it again.
 
 #include <memory>
 #include <span>
@@ -35,7 +36,8 @@ class Gains {
 
   const std::string& controller() const;
   const std::vector<std::string>& joints() const { return joints_; }
-  /// Returns the names of all gains of the controller, including switches and words.
+  /// Returns the names of all gains of the controller. They include options that are not numbers but switches
+  /// or words.
   std::vector<std::string> names() const;
 
   /// Returns the values of a gain, to be read and written in place: one, six (x y z rx ry rz) or one for each

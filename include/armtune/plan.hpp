@@ -16,12 +16,12 @@ struct PlanOptions {
   Watch watch = {};
 };
 
-/// The share of one limit that a plan uses.
+/// One limit of the task, and how close the planned motion comes to it.
 struct PlanLimit {
   std::string limit = {};  ///< "velocity", "torque", "gaze", "distance to ..."
   std::string part = {};   ///< the joint or axis
-  double used = 0.0;       ///< largest share used at any time; 1: at the limit
-  double time = 0.0;       ///< when that share is used [s]; NaN: at a knot
+  double used = 0.0;       ///< largest used fraction of the limit over all times; 1: at the limit
+  double time = 0.0;       ///< when that fraction is used [s]; NaN: at a knot
   bool binds = false;      ///< true if the limit restricts the motion somewhere
 };
 

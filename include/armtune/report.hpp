@@ -1,5 +1,6 @@
 #pragma once
-// A report of a run folder as one page.
+// Writes the report of a run as one HTML page that needs no other file. A run folder is the folder into which
+// an armtune function, such as tune, wrote its results.
 
 #include <string>
 

@@ -34,8 +34,8 @@ class Scenario {
   void set_name(const std::string& name);
   /// Sets the simulated time [s], at least one control period. Throws InputError.
   void set_duration(double seconds);
-  /// True if files describe the scenario as it is, which ends when a setter is called. Only then can it be
-  /// simulated into a run folder.
+  /// True if the scenario was read from files and no setter was called since. Functions that write a run
+  /// folder accept only such scenarios, because the folder gets copies of the files.
   bool as_in_file() const { return files_ != nullptr; }
 
   /// For armtune's own code. files: null if no file matches the scenario.

@@ -26,8 +26,8 @@ struct StudyInputs {
   /// Computes the objective from one rollout for each scenario, all completed and without recordings. It must
   /// be above zero, lower is better, and the same rollouts must give the same value. The search divides it by
   /// the start's value and cuts the ratio off at ten. It is called from any thread, one call at a time. An
-  /// exception from it ends the search. In a `robust` study, the metrics of each rollout are the measure over
-  /// all arms.
+  /// exception from it ends the search. A `robust` study simulates several arms; each metric is then combined
+  /// over them by the study's measure, such as the worst case.
   std::function<double(const std::vector<Rollout>&)> objective = {};
 };
 
@@ -47,7 +47,7 @@ class Study {
   /// Returns the names of the tuned numbers, such as "task_space_gains_p/x". The coordinates of a point have
   /// this order.
   std::vector<std::string> parameters() const;
-  long max_evaluations() const;  ///< including the start and the sweep
+  long max_evaluations() const;  ///< including those of the start gains and of the coarse sweep
   std::uint64_t seed() const;    ///< of algorithms that draw random numbers
   /// Sets the largest number of evaluations. Throws InputError if it is not positive.
   void set_max_evaluations(long most);

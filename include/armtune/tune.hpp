@@ -1,5 +1,6 @@
 #pragma once
-// The search for better gains: its options and its result.
+// Tunes gains: searches for those that minimise a study's objective within its constraints. This file has the
+// options, the result and the function that runs the search.
 
 #include <functional>
 #include <optional>

@@ -1,4 +1,4 @@
-"""Offline trajectory and gain tuning for robot arms.
+"""Offline gain tuning and trajectory planning for robot arms.
 
     import armtune
 
@@ -23,7 +23,7 @@ __version__ = dict(versions())["armtune"]
 
 
 class Interrupted(KeyboardInterrupt):
-    """Raised by Ctrl-C in a long-running function. `result` holds what was found until then."""
+    """Raised by Ctrl-C in a long-running function. `result` holds the results so far."""
 
     result: object
 

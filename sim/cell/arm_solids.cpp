@@ -22,7 +22,9 @@ std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf,
                                   std::vector<std::string>& meshes, std::string& why) {
   const auto path = mesh_path(shape.file, urdf);
   if (!path) {
-    why = fmt::format("no such file in the robot's folder or in a folder that {} lists", kMeshFolders);
+    why = fmt::format(
+        "there is no such file in the robot's folder, or in a folder that the environment variable {} lists",
+        kMeshFolders);
     return std::nullopt;
   }
   const auto corners = read_binary_stl(*path, kMostTriangles);

@@ -1,5 +1,6 @@
 #pragma once
-// The convex bodies that an arm consists of, for the computation of distances.
+// Represents the links and the tool of an arm by convex bodies, called solids here. Distances between these
+// bodies show whether the arm touches itself or its surroundings.
 
 #include <string>
 #include <vector>
@@ -24,8 +25,8 @@ struct ArmSolids {
 
 /// Returns the solids of the arm, one for each shape. The shapes of a link are its collision geometry, or its
 /// visual geometry if it has none. Meshes become their convex hulls; they must be binary STL files that
-/// mesh_path() finds. Where the tool frame lies off the last body's shapes, a rod of 1 mm, "tool", leads from
-/// them to it.
+/// mesh_path() finds. If the tool frame lies off the last body's shapes, a thin rod named "tool", of 1 mm
+/// radius, connects them to its origin.
 ArmSolids arm_solids(const RobotModel& robot);
 
 }  // namespace armtune::internal

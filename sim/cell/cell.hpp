@@ -1,5 +1,6 @@
 #pragma once
-// The surroundings of the arm: a floor and convex parts, which rest or move without turning.
+// The robot cell, that is, the surroundings of the arm: a floor and convex parts, which rest or move without
+// turning. Simulations check that the arm does not touch them.
 
 #include <optional>
 #include <string>
@@ -14,8 +15,8 @@ struct CellPart {
   std::string name;
   Solid solid;
   Mat3 R_0S = Mat3::Identity();
-  Path path;                 ///< of the origin of the solid's frame, base frame
-  bool is_obstacle = false;  ///< one of the scenario's obstacles, which are listed apart in scenario files
+  Path path;                 ///< motion of the origin of the solid's frame, base frame
+  bool is_obstacle = false;  ///< true for the scenario's obstacles, which scenario files list separately
 };
 
 struct Cell {

@@ -1,5 +1,6 @@
 #pragma once
-// The pairs of bodies of an arm and its cell that must not touch, and the distance of each pair.
+// Lists the pairs of bodies that must not touch: two links of the arm, or a link and a part of the robot cell
+// or the floor. It also computes the distance between the two bodies of a pair.
 
 #include <array>
 #include <memory>
@@ -14,7 +15,7 @@
 
 namespace armtune::internal {
 
-/// The kinds of things that a body of the arm must stay clear of.
+/// The kinds of things that a body of the arm must not touch: the arm itself, parts of the cell, the floor.
 enum class Clearance : std::size_t { kSelf, kCell, kFloor, kCount };
 inline constexpr std::size_t kClearances = static_cast<std::size_t>(Clearance::kCount);
 
@@ -22,7 +23,7 @@ inline constexpr std::size_t kClearances = static_cast<std::size_t>(Clearance::k
 struct ContactPair {
   Clearance of = Clearance::kSelf;
   std::size_t solid = 0;  ///< of the arm
-  std::size_t other = 0;  ///< kSelf: another solid of the arm, on a body before it; kCell: a part of the cell
+  std::size_t other = 0;  ///< kSelf: a solid of the arm that is closer to the base; kCell: a part of the cell
   /// Largest change of the distance per unit of each joint's motion, at any position within the joints'
   /// limits (n) [m/rad, m/m].
   JointVector lever;
@@ -44,16 +45,18 @@ class ClearanceModel {
   /// Returns the pairs of links of the arm that are not checked: neighbours, and links whose shapes touch at
   /// nearly every position within the joints' limits.
   const std::vector<LinkPair>& left_out() const { return left_out_; }
-  /// Returns those of them that are not neighbours, such as "link_5 and link_7".
+  /// Returns those pairs of left_out() whose links are not neighbours, such as "link_5 and link_7". Their
+  /// shapes touch at nearly every position.
   std::vector<std::string> left_out_by_their_make() const;
 
   /// Returns a copy in which the parts that are obstacles move along these paths, one for each in their
   /// order.
   ClearanceModel with_obstacles_on(const std::vector<Path>& paths) const;
-  /// Returns a copy without the pairs of obstacles.
+  /// Returns a copy that does not check distances from obstacles.
   ClearanceModel without_obstacles() const;
 
-  /// Returns the distance of a pair at the poses. at: position of the part of the cell.
+  /// Returns the distance of a pair for these poses of the arm. at: position of the pair's part of the cell,
+  /// base frame [m]; not used for other kinds of pairs.
   Closest distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const;
 
   /// Returns the name of a pair, such as "forearm_link and table".
@@ -63,7 +66,7 @@ class ClearanceModel {
   void add_self_pairs();
   void add_cell_pairs();
   void add_floor_pairs();
-  /// True if the pair does not touch at `fewest` or more of the positions that are checked.
+  /// True if the two bodies do not touch at `fewest` or more of 200 sampled joint positions.
   bool is_free_at(unsigned fewest, const ContactPair& pair) const;
   ContactPair pair(Clearance of, std::size_t solid, std::size_t other) const;
 

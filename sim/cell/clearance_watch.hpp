@@ -1,5 +1,6 @@
 #pragma once
-// The smallest distances between an arm, itself and its cell: over a whole motion, and at single moments.
+// Finds how close an arm comes to itself, to its robot cell and to the floor during a motion. ClearanceWatch
+// finds the smallest distances over the whole motion. ClearanceNow finds those at each single time.
 
 #include <array>
 #include <limits>
@@ -9,7 +10,7 @@
 
 namespace armtune::internal {
 
-/// The smallest distance of one kind, with its time and its pair.
+/// The smallest distance of one kind (self, cell or floor), with its time and its pair of bodies.
 struct LeastClearance {
   double distance = std::numeric_limits<double>::infinity();  ///< [m]
   double time = 0.0;                                          ///< [s]
@@ -22,8 +23,8 @@ inline const LeastClearance& least_of(Clearance kind, const LeastClearances& lea
   return least[static_cast<std::size_t>(kind)];
 }
 
-/// A watch for the smallest distances over all moments that it sees. They are exact, and no contact at any of
-/// these moments is missed.
+/// Finds the smallest distance of each kind over all calls of see(). The distances are exact, and a contact
+/// at any of these times is found.
 class ClearanceWatch {
  public:
   explicit ClearanceWatch(std::shared_ptr<const ClearanceModel> model) : distances_(std::move(model)) {}
@@ -40,7 +41,7 @@ class ClearanceWatch {
   LeastClearances least_;
 };
 
-/// A finder of the smallest distances at one moment after another, for recordings.
+/// Finds the smallest distance of each kind at one time after another. Recordings show these values.
 class ClearanceNow {
  public:
   explicit ClearanceNow(std::shared_ptr<const ClearanceModel> model) : distances_(std::move(model)) {}

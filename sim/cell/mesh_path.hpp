@@ -1,18 +1,19 @@
 #pragma once
-// The search for the file of a mesh that a URDF names, and the check that it may be read.
+// Finds the file of a mesh that a URDF refers to, and checks that armtune may read it. A URDF from a stranger
+// must not make armtune read arbitrary files.
 
 #include <optional>
 #include <string>
 
 namespace armtune::internal {
 
-/// The environment variable ARMTUNE_MESHES: folders from which meshes may be read, beside the robot's own,
-/// separated as in PATH. An entry NAME=FOLDER is the package of that name.
+/// The environment variable that lists further folders from which meshes may be read, in addition to the
+/// robot's own. They are separated as in PATH. An entry NAME=FOLDER is the package of that name.
 inline constexpr const char* kMeshFolders = "ARMTUNE_MESHES";
 
-/// Returns the file that a URDF means by `package://NAME/x`, by `file://x` or by a path from the URDF's
-/// folder. For a package, x lies below a folder that holds the URDF and is called NAME, by its own name or in
-/// its package.xml, or below one called NAME in an allowed folder.
+/// Returns the file that a URDF refers to by `package://NAME/x`, by `file://x` or by a path from the URDF's
+/// folder. For a package, x lies below a folder that contains the URDF and is called NAME, by its own name or
+/// in its package.xml, or below one called NAME in an allowed folder.
 ///
 /// A URDF may come from a stranger, and the files that it names appear in reports. Therefore this returns
 /// nothing unless the file, with links followed, is within the robot's folder or an allowed one. The robot's

@@ -1,5 +1,6 @@
 #pragma once
-// The distances of all pairs of a clearance model along a motion. Each is computed only when it may matter.
+// Computes the distances between pairs of bodies along a motion of the arm: link to link, link to a part of
+// the robot cell, link to floor. Lower bounds avoid most of the computations.
 //
 // Since its last computation, the distance of a pair cannot have fallen by more than this sum: the motion of
 // each joint times the joint's lever arm, plus the motion of the cell's part. This gives a lower bound. A

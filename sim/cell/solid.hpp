@@ -1,5 +1,6 @@
 #pragma once
-// A convex body for the computation of distances. Links, tools and the parts of a cell consist of them.
+// A convex body (sphere, capsule, box, cylinder or convex hull) for the computation of distances. Links,
+// tools and the parts of a robot cell consist of such bodies.
 
 #include <vector>
 

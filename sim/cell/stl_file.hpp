@@ -1,5 +1,5 @@
 #pragma once
-// The reader of the triangles of a binary STL file.
+// Reads the triangles of a binary STL file, such as the mesh of a link.
 
 #include <optional>
 #include <string>

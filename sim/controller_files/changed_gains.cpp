@@ -75,8 +75,9 @@ void refuse_what_is_lost(const std::string& changed, const RosController& contro
     (back.own[place] - gains.own[place]).cwiseAbs().maxCoeff(&k);
     const bool each = own_gain->shape == GainShape::kJoints;
     throw InputError(one_line(fmt::format(
-        "{}: {}: {}{} must become {}, but the file would give {}; write a number for it there", file,
-        controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
+        "{}: {}: {}{} must become {}, but the changed file would still give {}; set this gain in the file by "
+        "hand",
+        file, controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
         yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k]))));
   }
 }
@@ -117,14 +118,14 @@ std::string with_gains(const std::string& text, const RosController& controller,
     for (next = i; next < changes.size() && changes[next].at == change.at; ++next) {
       if (changes[next].text == change.text) continue;
       parameters.fail(change.at->line,
-                      fmt::format("{} and {} share a number through an anchor, but must become {} and {}; "
-                                  "write both out",
+                      fmt::format("{} and {} share a number through a YAML anchor, but must become {} and "
+                                  "{}; write a number for each of them",
                                   change.gain, changes[next].gain, change.text, changes[next].text));
     }
     if (change.differs && uses.of(*change.at) != static_cast<double>(next - i)) {
       parameters.fail(change.at->line,
-                      fmt::format("{} must become {}, but an alias elsewhere in the file shares its number; "
-                                  "write both out",
+                      fmt::format("{} must become {}, but an alias elsewhere in the file stands for the same "
+                                  "number; write a number in place of the alias",
                                   change.gain, change.text));
     }
     if (!change.differs) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// Writing of tuned gains of a joint_trajectory_controller back into its parameter file, in which nothing but
-// numbers changes.
+// Writes tuned gains back into the parameter file of a ROS joint_trajectory_controller. Only the numbers of
+// the gains change in the file; comments, layout and all other parameters stay.
 
 #include <string>
 #include <vector>
@@ -10,9 +10,10 @@
 
 namespace armtune::internal {
 
-/// Returns the text of the file with other numbers where the gains differ from its own. Reading it returns
-/// these gains. Throws InputError if a gain that differs is not written in the file. Also throws if its
-/// number is shared, by an alias, with another place of the file or with a gain that is to be different.
+/// Returns the text of the file with new numbers for the gains that differ from its own. Reading this text
+/// returns exactly `gains`. Throws InputError if `gains` are for another kind of controller, or if a gain
+/// that differs has no number in the file. Also throws if a YAML alias shares that number with another place
+/// of the file, or with a gain that needs another value.
 std::string with_gains(const std::string& text, const RosController& controller, const std::string& file,
                        const Gains& gains, const std::vector<std::string>& joints);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Access to the parameters of each joint in the parameter file of a joint trajectory controller.
+// Finds the parameters of each joint in the parameter file of a ROS joint_trajectory_controller.
 
 #include <array>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace armtune::internal {
 
-/// The names of a joint's gains in a file, within the joint's map. armtune's names are jtc_name of these.
+/// The keys of the PID gains in a joint's map of the file. jtc_name() converts each to armtune's name.
 inline constexpr std::array kGainNames = {"p", "i", "d"};
 
 class JointParameters {
@@ -25,7 +25,8 @@ class JointParameters {
   /// Returns the value of a joint at `key`, or null if the file has none.
   const yaml::PlacedValue* of_joint(const std::string& joint, const char* key) const;
 
-  /// Returns the factor on the desired velocity, or null if there is none. ROS 1 keeps it in a separate map.
+  /// Returns the joint's feed-forward factor on the desired velocity, or null if there is none. In ROS 1
+  /// files it is in a separate map.
   const yaml::PlacedValue* feed_forward(const std::string& joint) const;
 
  private:

@@ -89,7 +89,7 @@ class Reader : public JointParameters {
       const PlacedValue* given = controller().parameters->find("command_interfaces");
       if (given == nullptr || given->kind != PlacedValue::Kind::kSequence)
         fail(controller().parameters->line,
-             "no list of command_interfaces; armtune simulates [effort] and [velocity]");
+             "the list command_interfaces is missing; give [effort] or [velocity], which armtune simulates");
       for (const yaml::PlacedEntry& item : given->items) commands.push_back(item.value->text);
     } else if (controller().type.find('/') != std::string::npos) {
       commands.push_back(controller().type.starts_with("effort_")     ? "effort"
@@ -99,11 +99,12 @@ class Reader : public JointParameters {
     if (commands.empty() || commands == std::vector<std::string>{"effort"}) return kJointTrajectoryController;
     if (commands != std::vector<std::string>{"velocity"})
       fail(controller().parameters->line,
-           fmt::format("it commands {}; armtune simulates either effort commands or velocity commands",
+           fmt::format("the controller commands {}; armtune simulates either effort commands or velocity "
+                       "commands",
                        fmt::join(commands, ", ")));
     const PlacedValue* open_loop = controller().parameters->find("open_loop_control");
     if (open_loop != nullptr && (open_loop->text == "true" || open_loop->text == "True"))
-      fail(open_loop->line, "with open_loop_control the gains have no effect; there is nothing to tune");
+      fail(open_loop->line, "with open_loop_control the gains have no effect; set it to false to tune them");
     return kJointTrajectoryVelocityController;
   }
 
@@ -128,8 +129,8 @@ class Reader : public JointParameters {
     const bool said = of_joint(joint, "i_clamp") != nullptr || of_joint(joint, "i_clamp_max") != nullptr;
     if (of_joint(joint, "i", 0.0) != 0.0 && !said) {
       fail(line,
-           fmt::format("{} has an i but no i_clamp; ROS 1 and ROS 2 Humble then clamp to 0, and Jazzy does "
-                       "not clamp. Write i_clamp, with .inf for no clamp",
+           fmt::format("{} has an i but no i_clamp; ROS 1 and ROS 2 Humble then clamp the integral to 0, and "
+                       "Jazzy does not clamp it. Give i_clamp; .inf means no clamp",
                        joint));
     }
     return 1e6;  // N m, N, rad/s, m/s: beyond any joint
@@ -203,8 +204,8 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
     const double own_anti_windup = reader.anti_windup(joint);
     if (anti_windup && *anti_windup != own_anti_windup) {
       reader.fail(controller.parameters->find("gains")->line,
-                  "some joints have anti-windup and others do not; give all joints the same, which is all "
-                  "that armtune simulates");
+                  "some joints have anti-windup and others do not; give all joints the same setting, because "
+                  "armtune cannot simulate a mixture");
     }
     anti_windup = own_anti_windup;
   }

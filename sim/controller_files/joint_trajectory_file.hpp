@@ -1,5 +1,6 @@
 #pragma once
-// The reader of the gains of a joint_trajectory_controller in its parameter file.
+// Reads the gains of a ROS joint_trajectory_controller from its parameter file, so that armtune can simulate
+// and tune that controller.
 
 #include <string>
 #include <vector>

@@ -117,7 +117,7 @@ RosController chosen_controller(const std::vector<RosController>& all, const std
     throw InputError(
         fmt::format("{}: no controller '{}' with gains{}; {}", file, name, suggestion(name, names), there));
   throw InputError(
-      fmt::format("{}: {} joint trajectory controllers with gains; {}{}", file,
+      fmt::format("{}: found {} joint trajectory controllers with gains; {}{}", file,
                   able.empty() ? "no" : fmt::to_string(able.size()), there,
                   able.empty() ? "" : "; name one of them: --node NAME, or in a study 'node: NAME'"));
 }

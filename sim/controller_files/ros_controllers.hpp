@@ -1,6 +1,6 @@
 #pragma once
-// The controllers in a ROS parameter file of ROS 1 or ROS 2, as it is in a package: among other nodes, with
-// anchors and comments.
+// Finds the controllers with PID gains in a parameter file of ROS 1 or ROS 2. The file can be used as it is
+// in a ROS package, with other nodes, YAML anchors and comments.
 
 #include <cstddef>
 #include <optional>
@@ -28,7 +28,7 @@ bool may_hold_controllers(std::string_view text);
 std::vector<RosController> ros_controllers(const std::string& text, const std::string& file);
 
 /// Returns the controller of that name. Without a name it returns the only joint trajectory controller of the
-/// file. Throws InputError that lists the file's controllers.
+/// file. Throws InputError that lists the file's controllers if there is none or several.
 RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,
                                 const std::string& name = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// A number or a text as a cell of a CSV file.
+// Formats a number or a text as one cell of a CSV file.
 
 #include <string>
 

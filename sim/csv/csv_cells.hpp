@@ -1,5 +1,5 @@
 #pragma once
-// A reader of the cells of a CSV text, one after another (RFC 4180, any line end). Private to sim/csv.
+// Splits a CSV text into its cells, one after another (RFC 4180, any line end). Private to sim/csv.
 
 #include <cstddef>
 #include <string>

@@ -71,8 +71,10 @@ double csv_number(std::string_view cell, const std::string& file, std::size_t li
 }
 
 void refuse_csv_row(const std::string& file, std::size_t line, std::size_t cells, std::size_t header) {
-  throw InputError(fmt::format("{}:{}: the row has {} cells, but the header has {}; give every row as many",
-                               file, line, cells, header));
+  throw InputError(
+      fmt::format("{}:{}: the row has {} cells, but the header has {}; give every row as many "
+                  "cells as the header",
+                  file, line, cells, header));
 }
 
 void refuse_open_quote(const CsvCells& cells, const std::string& file) {

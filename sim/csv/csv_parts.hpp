@@ -1,5 +1,6 @@
 #pragma once
-// The handling of headers and cells that all readers of CSV files share. Private to sim/csv.
+// Functions that all readers of CSV files share. They read the header row, find columns by name, convert
+// cells to numbers and throw the errors of malformed rows.
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
-// The cells of a line of a table from another program. They are separated by commas, semicolons, tabs or
-// blanks.
+// Splits one line of a text table into its cells. Tables of other programs separate cells by commas,
+// semicolons, tabs or blanks.
 
 #include <string_view>
 #include <vector>

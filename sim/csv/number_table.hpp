@@ -1,6 +1,6 @@
 #pragma once
-// The numbers of a long CSV file that armtune wrote, such as the recording of an hour. The file is read block
-// by block, and only the wanted columns are kept.
+// Reads columns of numbers from a long CSV file that armtune wrote, such as the recording of one simulated
+// hour. To save memory, it reads the file block by block and keeps only the requested columns.
 
 #include <functional>
 #include <optional>

@@ -1,24 +1,25 @@
 #pragma once
-// Writing of whole files so that a reader sees the old file or the new one, never a part of it.
+// Writes whole files atomically: another program sees the old file or the new one, never a part of it.
 
 #include <string>
 #include <string_view>
 
 namespace armtune::internal {
 
-/// Writes a file beside the path and renames it. Throws InputError with path and reason.
+/// Writes the text to a temporary file in the same folder and renames it to `path`. Throws InputError with
+/// path and reason.
 void write_text_file(const std::string& path, std::string_view text);
 
-/// Writes a file as write_text_file does, but refuses what refuse_existing refuses (path_state.hpp), also if
-/// it appears in the meantime.
+/// Writes a file as write_text_file does, but never replaces an existing one. Throws InputError if something
+/// exists at the path (refuse_existing in path_state.hpp), also if it appears during the writing.
 void write_new_text_file(const std::string& path, std::string_view text);
 
-/// Returns the path of the file that is being written until it replaces the one at `path`:
-/// PATH.armtune.partial, a name that nobody else gives to a file.
+/// Returns the path of the temporary file that later replaces the file at `path`: PATH.armtune.partial. No
+/// other program uses this ending.
 std::string partial_path(const std::string& path);
-/// Creates that file for writing and returns its descriptor, or -1 with the reason in errno. Anything at that
-/// path is removed, not opened, so that nothing is written to a link or a file that another user put there.
-/// flags: further flags of open().
+/// Creates the temporary file for writing and returns its descriptor, or -1 with the reason in errno.
+/// Anything at that path is removed, not opened, so that nothing is written to a link or a file that another
+/// user put there. flags: further flags of open().
 int make_partial_file(const std::string& path, int flags = 0);
 
 /// Creates the folder and its parents. Throws InputError with path and reason.

@@ -1,11 +1,14 @@
 #pragma once
-// The arithmetic of several arms side by side, behind one interface for all processors and widths. Numbers
-// are put into lanes and taken out of them one arm at a time, and the steps between are computed for all
-// lanes at once. The numbers of every lane are bit-identical to those of core's kernels for that arm alone.
+// Computes controller and dynamics of several arms at the same time with SIMD instructions. Each arm has one
+// lane, that is, one element of every vector register. This interface is the same for all processors and
+// register widths.
+//
+// Numbers are written to a lane and read from it for one arm at a time. The steps between are computed for
+// all lanes at once. The results of a lane are bit-identical to those of core's functions for that arm alone.
 //
 // An arm begins with start(). A control period is: sense, measure, seen, follow_task or follow_joints,
-// resolve, torque, adapt, observe, observed, push, step, moved. The arguments are structs of pointers. Code
-// that is compiled for one kind of processor must not share an inline function with the rest
+// resolve, torque, adapt, observe, observed, push, step, moved. The arguments are structs of pointers,
+// because code that is compiled for one kind of processor must not share an inline function with other code
 // (scripts/check-lanes).
 
 #include <memory>
@@ -17,7 +20,7 @@
 
 namespace armtune::internal {
 
-/// The numbers of an arm that starts in a lane.
+/// The models, gains and start state of an arm whose rollout starts in a lane.
 struct LaneStart {
   const double* control_chain;  ///< every number of the controller's chain (numbers_of)
   const double* plant_chain;
@@ -38,14 +41,16 @@ struct LaneSensed {
   std::size_t obstacle_count;
 };
 
-/// The destination of a tool's pose (9 numbers of R, column by column, and 3) and of (v, w); base frame.
+/// The addresses to which a tool's pose (9 numbers of R, column by column, and 3 of p) and its twist (v, w)
+/// are written; base frame.
 struct LaneTool {
   double* R_0T;
   double* p_0T;
   double* twist;
 };
 
-/// The destination of the contents of an ArmView.
+/// The addresses to which quantities of the measured arm are written: the members of ArmView
+/// (core/control/control_logic.hpp).
 struct LaneSeen {
   LaneTool tool;
   double* manipulability;
@@ -63,11 +68,11 @@ struct LaneReference {
 struct LaneTask {
   LaneReference reference;
   const double* pose_error;  ///< 6
-  bool yields;               ///< to an obstacle's repulsion
+  bool yields;               ///< true in the state avoidObstacles: the arm gives way to the repulsion
 };
 
-/// The destination of the true state at the end of a period. The tool is written only if it differs from the
-/// measured one.
+/// The addresses to which quantities of the true state are written at the end of a period. The tool is
+/// written only if it differs from the measured one.
 struct LaneObserved {
   LaneTool tool;
   double* clearance;
@@ -91,12 +96,13 @@ class ArmLanes {
   virtual void measure() = 0;
   virtual void seen(int lane, const LaneSeen& seen) const = 0;
 
-  /// Lets this lane take its joint reference from the task's. Kd: n.
+  /// Sets a task reference for this lane. resolve() then computes the joint reference from it. Kd: n.
   virtual void follow_task(int lane, const LaneTask& task, const double* Kd) = 0;
+  /// Sets the joint reference of this lane directly. Kd: n.
   virtual void follow_joints(int lane, const LaneReference& joints, const double* Kd) = 0;
   /// Computes the joint references of the lanes that follow a task since the last measure().
   virtual void resolve() = 0;
-  /// Writes the joint reference (n each). replace_reference() sets another one.
+  /// Writes the joint reference (n each) to these addresses. replace_reference() sets another one.
   virtual void reference(int lane, double* velocity, double* acceleration) const = 0;
   virtual void replace_reference(int lane, const LaneReference& joints) = 0;
 
@@ -109,18 +115,19 @@ class ArmLanes {
   virtual void theta(int lane, double* theta) const = 0;
   virtual void replace_theta(int lane, const double* theta) = 0;
 
-  /// Computes the true state. exact: true if the measurement was exact in every lane, so that its results are
-  /// used again.
+  /// Computes quantities of the true state. exact: true if the measurement was exact in every lane. The
+  /// results for the measured state are then used again.
   virtual void observe(bool exact) = 0;
   virtual void observed(int lane, const LaneObserved& observed) const = 0;
 
+  /// Sets the torques (n) that act on the plant.
   virtual void push(int lane, const double* torque) = 0;
   /// Moves the plants by one control period.
   virtual void step() = 0;
   virtual void moved(int lane, double* q, double* qd) const = 0;
 };
 
-/// Returns at least `lanes` lanes (2, 4 or 8), but no more than most_lanes() of the processor.
+/// Creates at least `lanes` lanes (2, 4 or 8), but no more than most_lanes() of the processor.
 std::unique_ptr<ArmLanes> make_arm_lanes(const LaneKind& kind, int lanes, Processor processor);
 
 /// Returns the largest useful number of lanes on a processor.

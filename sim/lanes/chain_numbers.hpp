@@ -1,12 +1,14 @@
 #pragma once
-// The numbers of a chain, listed in one order for every scalar type.
+// Lists all numbers of a kinematic chain (geometry, inertia, friction, gravity) in one fixed order. With it,
+// the models of several arms are copied into the SIMD registers that simulate these arms at the same time.
 
 #include "core/robot/chain.hpp"
 
 namespace armtune::internal {
 
-/// Returns the largest count of numbers for n joints. Each joint has 9 + 3 of its place, 1 + 3 + 9 of its
-/// link, 3 of the joint and a radius. The tool has 9 + 3 and gravity 3.
+/// Returns the largest count of numbers for n joints. Each joint has 9 + 3 for its pose in the parent body,
+/// 1 + 3 + 9 for its link's inertia, 3 for rotor inertia and friction, and a radius. The tool's pose has
+/// 9 + 3, and gravity 3.
 constexpr int chain_number_count(int n) {
   return 29 * n + 15;
 }

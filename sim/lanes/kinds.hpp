@@ -1,5 +1,6 @@
 #pragma once
-// Creates lanes: simulators of several arms in one vector register (SIMD), one function per register width.
+// Creates the simulators of several arms at the same time (SIMD), with one function per register width. Each
+// arm has one lane, that is, one element of every vector register.
 
 #include <memory>
 

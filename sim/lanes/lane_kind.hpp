@@ -1,5 +1,6 @@
 #pragma once
-// The properties that arms must have in common to be simulated side by side.
+// The properties that arms and scenarios must have in common to be simulated at the same time in one SIMD
+// register.
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,8 @@
 #pragma once
-// The lanes of W arms, computed in packs of W numbers. Each file that includes this header is compiled for
-// one kind of processor and is the only one with its W. Code compiled for that processor is then never called
-// on another (scripts/check-lanes).
+// Implements ArmLanes: computes W arms at the same time in SIMD vectors of W numbers, one number per arm.
+//
+// Each file that includes this header is compiled for one kind of processor and is the only one with its W.
+// Code that is compiled for that processor is then never called on another (scripts/check-lanes).
 
 #include "core/common/pack.hpp"
 #include "core/control/laws/make_arm_law.hpp"

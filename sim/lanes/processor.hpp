@@ -1,5 +1,6 @@
 #pragma once
-// The kinds of processors that have kernels of their own.
+// The kinds of processors for which the SIMD code of sim/lanes is compiled separately. The best kind is
+// chosen when the program runs.
 
 namespace armtune::internal {
 
@@ -13,10 +14,10 @@ constexpr const char* name(Processor processor) {
   return processor == Processor::kAvx512 ? "avx512" : processor == Processor::kAvx2 ? "avx2" : "any";
 }
 
-/// Returns the best kind that this program has kernels for and this machine can run.
+/// Returns the best kind for which this program has compiled code and which this machine can run.
 Processor best_processor();
 
-/// Returns true if this machine can run the kernels of that kind, as they are compiled in this program.
+/// Returns true if this machine can run the code for that kind, as it is compiled in this program.
 bool runs_here(Processor processor);
 
 }  // namespace armtune::internal

@@ -100,10 +100,14 @@ int RolloutLanes::free_lane() const {
 void RolloutLanes::start(int lane, LaneJob job) {
   const Scenario& own = job.scenario->scenario;
   const std::optional<ArmLawKind> law = lane_law(job.gains);
-  if (!law) throw InputError(job.gains.controller + " cannot be simulated in lanes");
+  if (!law)
+    throw InputError(job.gains.controller +
+                     ": rollouts with this controller cannot be simulated in parallel lanes");
   if (own.obstacles.size() > kind_.most_obstacles ||
       lane_kind(own, kind_.stepper, kind_.most_obstacles, *law) != kind_) {
-    throw InputError(own.name + " is not of the kind of these lanes");
+    throw InputError(own.name +
+                     ": the joints, task_mask, control period, obstacles or controller differ from those of "
+                     "the other lanes; simulate this scenario alone");
   }
   auto& place = lanes_[static_cast<std::size_t>(lane)];
   if (place) throw InputError("the lane for " + own.name + " is busy");

@@ -1,6 +1,7 @@
 #pragma once
-// Rollouts side by side, one per lane, in armtune's own dynamics. Each begins and ends independently of the
-// others. Each result is bit-identical to that of a single Rollout with Engine::kNative.
+// Simulates several scenarios at the same time with SIMD instructions, in armtune's own dynamics. Each
+// rollout (one simulated scenario) has one lane of the vector registers. It begins and ends independently of
+// the others. Its result is bit-identical to that of a single Rollout with Engine::kNative.
 
 #include <functional>
 #include <memory>
@@ -16,15 +17,17 @@
 
 namespace armtune::internal {
 
-/// Returns the kind of rollouts that may share lanes with a scenario. most_obstacles: at least the scenario's
-/// own number. Throws InputError for the stepper kReference.
+/// Returns the properties that a rollout must have to be simulated together with this scenario.
+/// most_obstacles: largest number of obstacles of any such rollout, at least the scenario's own. Throws
+/// InputError for the stepper kReference.
 LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles,
                    ArmLawKind law = ArmLawKind::kAdaptive);
 
-/// Returns the law of these gains if lanes can simulate it, otherwise nothing. A controller without one is
-/// simulated alone, by Rollout.
+/// Returns the control law of these gains if RolloutLanes can simulate it, otherwise nothing. Rollouts with
+/// any other law are simulated one at a time, by Rollout.
 std::optional<ArmLawKind> lane_law(const Gains& gains);
 
+/// One rollout that is to be simulated in a lane.
 struct LaneJob {
   std::shared_ptr<const PreparedScenario> scenario;
   Gains gains;
@@ -50,7 +53,7 @@ class RolloutLanes {
   int free_lane() const;
 
   /// Starts a rollout in a lane that is not busy. Throws InputError if the lane is busy, if the job's
-  /// scenario is not of this kind, or if its controller has no lanes.
+  /// scenario is not of this kind, or if lane_law() returns nothing for its gains.
   void start(int lane, LaneJob job);
   /// Computes one control period of every busy lane. Each rollout that ends with it is passed to `finished`,
   /// which may start another rollout in that lane. Allocates nothing except for rollouts that end.

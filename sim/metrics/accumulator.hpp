@@ -1,5 +1,6 @@
 #pragma once
-// The metrics of a rollout, accumulated period by period while it runs.
+// Computes the metrics of a rollout, such as tracking errors and distances from limits. They are updated in
+// every control period while the rollout runs.
 
 #include <algorithm>
 #include <cmath>
@@ -27,13 +28,15 @@ class Spread {
   long count_ = 0;
 };
 
-/// The longest time, over all events, from an event until a value stays below a threshold.
+/// The longest time, over all events, from an event until a value stays below a threshold. Here an event is a
+/// switch of the gaze to another target, and the value is the gaze error.
 class Reacquisition {
  public:
-  /// Records a new event at t [s]. It ends the window of the event before.
+  /// Records a new event at t [s]. The time of the event before ends then at the latest.
   void start(double t);
+  /// Adds a sample at t [s]. outside: true if the value is not below the threshold.
   void add(double t, bool outside);
-  /// Ends the last window and returns the longest time [s]; NaN if there was no event.
+  /// Ends the time of the last event and returns the longest time [s]; NaN if there was no event.
   double longest(double end);
 
  private:
@@ -47,7 +50,8 @@ class Reacquisition {
 
 class MetricAccumulator {
  public:
-  /// threshold: slerpAngularErrorThreshold [rad]; period [s].
+  /// threshold: gaze error below which a target counts as reached, the gain slerpAngularErrorThreshold [rad].
+  /// period: control period [s].
   MetricAccumulator(const RobotModel& model, double threshold, double period);
 
   /// Sets the target that was active before the first period, so that a target switch in the first period
@@ -57,7 +61,7 @@ class MetricAccumulator {
     from_before_ = true;
   }
 
-  /// Leaves out the metrics of the gaze, because the tool is not to look at anything.
+  /// Leaves out the metrics of the gaze. Used for tasks in which the tool does not aim at a target.
   void aim_at_nothing() { aims_ = false; }
 
   void add(const Observation& o);

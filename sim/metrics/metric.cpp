@@ -22,18 +22,15 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"error/position/max", "m", kLess, kOnlyWorsens, "largest position error",
        "largest distance of the tool from its desired position while tracking"},
       {"error/orientation/x/max", "rad", kLess, kOnlyWorsens, "largest orientation error about x",
-       "largest |x| of the rotation vector from the tool's orientation to the gaze orientation, while "
-       "tracking"},
+       "largest |x| of the rotation vector from the tool's orientation to the desired one, while tracking"},
       {"error/orientation/y/max", "rad", kLess, kOnlyWorsens, "largest orientation error about y",
-       "largest |y| of the rotation vector from the tool's orientation to the gaze orientation, while "
-       "tracking"},
+       "largest |y| of the rotation vector from the tool's orientation to the desired one, while tracking"},
       {"error/orientation/z/max", "rad", kLess, kOnlyWorsens, "largest orientation error about z",
-       "largest |z| of the rotation vector from the tool's orientation to the gaze orientation, while "
-       "tracking"},
+       "largest |z| of the rotation vector from the tool's orientation to the desired one, while tracking"},
       {"error/orientation/rms", "rad", kLess, kEitherWay, "RMS orientation error",
-       "RMS of the angle from the tool's orientation to the gaze orientation, while tracking"},
+       "RMS of the angle from the tool's orientation to the desired one, while tracking"},
       {"error/orientation/max", "rad", kLess, kOnlyWorsens, "largest orientation error",
-       "largest angle from the tool's orientation to the gaze orientation, while tracking"},
+       "largest angle from the tool's orientation to the desired one, while tracking"},
       {"error/linear_velocity/rms", "m/s", kLess, kEitherWay, "RMS linear velocity error",
        "RMS of |v - vd| of the tool while tracking"},
       {"error/linear_velocity/max", "m/s", kLess, kOnlyWorsens, "largest linear velocity error",
@@ -43,23 +40,25 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"error/angular_velocity/max", "rad/s", kLess, kOnlyWorsens, "largest angular velocity error",
        "largest |w - wd| of the tool while tracking"},
       {"samples", "1", kMore, kEitherWay, "tracked periods",
-       "number of control periods in which tracking errors count: the state is followTrajectory since 1 s "
-       "or longer, and no slerp (turn to another target) is under way"},
+       "number of control periods in which tracking errors count: the state has been followTrajectory for at "
+       "least 1 s, and no slerp (rotation of the tool to another target) is under way"},
       {"gaze/rms", "rad", kLess, kEitherWay, "RMS gaze angle",
-       "RMS angle between the tool's z axis and the line to the target, once the arm has left its singular start"},
+       "RMS angle between the tool's z axis and the line to the target, once the arm has left its singular "
+       "start pose"},
       {"gaze/max", "rad", kLess, kOnlyWorsens, "largest gaze angle",
-       "largest angle between the tool's z axis and the line to the target, once the arm has left its singular start"},
+       "largest angle between the tool's z axis and the line to the target, once the arm has left its "
+       "singular start pose"},
       {"gaze/rate_error/rms", "rad/s", kLess, kEitherWay, "RMS gaze rate error",
        "RMS difference between the angular velocities of the tool's z axis and of the line to the target, "
-       "once the arm has left its singular start"},
+       "once the arm has left its singular start pose"},
       {"gaze/rate_error/max", "rad/s", kLess, kOnlyWorsens, "largest gaze rate error",
        "largest difference between the angular velocities of the tool's z axis and of the line to the "
-       "target, once the arm has left its singular start"},
+       "target, once the arm has left its singular start pose"},
       {"gaze/time_outside_threshold", "s", kLess, kOnlyWorsens, "time with the gaze off its target",
-       "time with the gaze angle at or above slerpAngularErrorThreshold"},
+       "total time for which the gaze angle is at or above the gain slerpAngularErrorThreshold"},
       {"reacquisition/time", "s", kLess, kEitherWay, "time to the next target",
-       "longest time from a target switch until the gaze angle stays below slerpAngularErrorThreshold; if it "
-       "never does, the time until the next switch or the end"},
+       "longest time from a target switch until the gaze angle stays below the gain "
+       "slerpAngularErrorThreshold; if it never does, the time until the next switch or the end"},
       {"joint_velocity/max_ratio", "1", kLess, kOnlyWorsens, "largest joint velocity relative to its limit",
        "largest ratio of a joint's |velocity| to its limit, of all joints, at any time"},
       {"joint_velocity/max_ratio_time", "s", kNeither, kEitherWay, "time of the largest joint velocity",
@@ -69,7 +68,7 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"joint_effort/max_ratio", "1", kLess, kOnlyWorsens, "largest torque relative to its limit",
        "largest ratio of a joint's commanded |torque| to its limit, before saturation"},
       {"joint_effort/saturated_periods", "1", kLess, kOnlyWorsens, "periods with a saturated joint",
-       "control periods in which a joint was commanded more than its effort limit"},
+       "number of control periods in which the commanded torque of a joint exceeded its effort limit"},
       {"joint_error/rms", "rad", kLess, kEitherWay, "RMS joint error",
        "RMS difference between actual and planned joint positions, over joints and time, while a planned "
        "trajectory is followed; empty without one"},
@@ -77,10 +76,9 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
        "largest difference between actual and planned position of a joint, while a planned trajectory is "
        "followed; empty without one"},
       {"effort_rate/rms", "N m/s", kLess, kEitherWay, "RMS torque rate",
-       "RMS over time of the change of the joint torques per second (norm over the joints), after "
-       "saturation"},
+       "RMS over time of the rate of change of the joint torques after saturation (norm over the joints)"},
       {"obstacle/min_clearance", "m", kMore, kOnlyWorsens, "smallest obstacle clearance",
-       "smallest distance from a joint origin or the tool, or from a link's surface, to an obstacle's "
+       "smallest distance from the arm (joint origins and tool, or the links' surfaces) to an obstacle's "
        "surface; empty without obstacles"},
       {"clearance/self", "m", kMore, kOnlyWorsens, "smallest distance between links",
        "smallest distance between two links of the arm, except neighbours and links whose shapes overlap at "
@@ -90,7 +88,8 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"clearance/floor", "m", kMore, kOnlyWorsens, "smallest height above the floor",
        "smallest height of a moving link above the cell's floor; empty without a floor"},
       {"compensation_error/rms", "N m", kLess, kEitherWay, "RMS compensation error",
-       "RMS of |Y (theta_hat - theta)|, once the arm has left its singular start"},
+       "RMS of |Y (theta_hat - theta)|, the torque error of the controller's arm model, once the arm has "
+       "left its singular start pose"},
       {"response/rise_time", "s", kLess, kEitherWay, "rise time",
        "time in which the tool's position or gaze goes from 10 % to 90 % of the scenario's step; empty "
        "without a step, or if 90 % is never reached"},

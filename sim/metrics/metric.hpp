@@ -1,5 +1,6 @@
 #pragma once
-// The only declaration of the metrics of a rollout: name, unit, a short phrase for sentences, and meaning.
+// Declares all metrics of a rollout in one place: name, unit, meaning, and a short phrase for messages.
+// Studies, result files and reports take their metrics from this list.
 
 #include <array>
 #include <cstddef>
@@ -102,7 +103,8 @@ inline bool only_worsens(Metric m) {
   return field(m).course == Course::kOnlyWorsens;
 }
 
-/// The metrics of one rollout. One that had nothing to judge is NaN in memory and an empty cell in files.
+/// The metrics of one rollout. A metric for which there was nothing to measure is NaN in memory and an empty
+/// cell in files.
 struct Metrics {
   std::array<double, kMetricCount> value = filled();
   std::string max_ratio_joint;  ///< joint of joint_velocity/max_ratio

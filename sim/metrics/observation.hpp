@@ -1,6 +1,6 @@
 #pragma once
-// One control period of a rollout as an outside observer sees it: the plant's true state and what the
-// controller did.
+// The data of one control period of a rollout: the plant's true state, the controller's output and the
+// resulting errors. Metrics and recordings are computed from it.
 
 #include "core/control/laws/controller.hpp"
 #include "sim/cell/clearance_watch.hpp"

@@ -1,7 +1,9 @@
 #pragma once
-// The response of the arm to its scenario's stimulus, as one scalar compared with another. For a tool path
-// it is the displacement along the stimulus. For a gaze target it is the angle of the tool's z axis in the
-// plane in which the line from tool to target turns.
+// Measures the response of the arm to a stimulus, that is, a test signal (step or sum of sines) that the
+// scenario adds to the tool's path or to a gaze target. Reference and response are scalars. For a path they
+// are the desired and the true displacement in the direction of the stimulus. For a target, the reference is
+// the angle of the line from tool to target, and the response is the angle of the tool's z axis. Both are
+// measured in the plane in which this line turns.
 
 #include <optional>
 
@@ -14,7 +16,7 @@
 namespace armtune::internal {
 
 /// The stimulus as the reference, and how far the arm has moved in response [m, rad]. The reference is zero
-/// without a stimulus. The response is zero where the arm follows the undisturbed task.
+/// while the stimulus is zero. The response is zero where the arm follows the undisturbed task.
 struct StimulusSignals {
   double reference = 0.0;
   double response = 0.0;
@@ -33,9 +35,9 @@ class StimulusResponse {
   explicit StimulusResponse(const Scenario& scenario);
 
   void add(const Observation& o);
-  /// Fills the metrics response/*. Those of a step stay empty unless the arm was in followTrajectory, outside
-  /// a slerp, when the step came, and the step turned the line to its target. Those of sines stay empty
-  /// unless the arm was in followTrajectory, outside a slerp, throughout the measured window.
+  /// Writes the metrics response/*. They stay empty (NaN) unless the arm was in followTrajectory and outside
+  /// a slerp: for a step, just before it; for sines, during the whole measured window. They also stay empty
+  /// if the step of a target ever lies along the line to it, because it then does not turn this line.
   void write(Metrics& m) const;
 
  private:

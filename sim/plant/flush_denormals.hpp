@@ -1,6 +1,6 @@
 #pragma once
-// Flushing of denormal numbers to zero. They slow the processor down by up to a factor of two and carry no
-// information here.
+// Makes the processor flush denormal floating-point numbers to zero during a simulation. They would slow it
+// down by up to a factor of two and carry no information here.
 
 #if defined(__x86_64__)
 #include <immintrin.h>

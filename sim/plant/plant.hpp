@@ -1,6 +1,6 @@
 #pragma once
-// The simulated arm behind one interface. It contains no types of an engine, so that another engine takes
-// only one more file. Each thread needs its own Plant.
+// The interface of the plant, that is, of the simulated arm. It is independent of the physics engine, so that
+// a further engine needs only one more file. Each thread needs its own Plant.
 
 #include <memory>
 
@@ -23,8 +23,8 @@ class Plant {
   virtual const JointVector& q() const = 0;
   virtual const JointVector& qd() const = 0;
 
-  /// Advances by dt [s] with the torque (n) [N m, N] held. Friction and rotor inertia follow from the model.
-  /// poses: those of the model at q if they have been computed already, else null.
+  /// Advances the state by dt [s] under a constant torque (n) [N m, N]. Friction and rotor inertia come from
+  /// the model. poses: those of the model at q if they have been computed already, else null.
   void step(const JointVector& torque, double dt, const Poses* poses = nullptr) {
     advance(torque, dt, poses);
   }
@@ -37,13 +37,14 @@ class Plant {
   virtual void advance(const JointVector& torque, double dt, const Poses* poses) = 0;
 };
 
-/// Returns the arm in Simbody. Throws InputError if Simbody refuses the model.
+/// Creates the arm in Simbody. Throws InputError if Simbody refuses the model.
 std::unique_ptr<Plant> make_simbody_plant(const RobotModel& model, Stepper stepper);
 
-/// Returns the arm in core's dynamics. Throws InputError for the stepper `reference`, which only Simbody has.
+/// Creates the arm in armtune's own dynamics (core). Throws InputError for the stepper `reference`, which
+/// only Simbody has.
 std::unique_ptr<Plant> make_native_plant(const RobotModel& model, Stepper stepper);
 
-/// Returns the arm in the given engine. Throws InputError as the two functions above do.
+/// Creates the arm in the given engine. Throws InputError as the two functions above do.
 std::unique_ptr<Plant> make_plant(const RobotModel& model, Stepper stepper, Engine engine);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// Sensors with measurement noise that is white and Gaussian, drawn for each period and joint from a seed.
+// Simulates the joint sensors. They add white Gaussian noise to joint positions and velocities, drawn in each
+// control period from a seeded generator.
 
 #include <cstdint>
 #include <random>
@@ -10,7 +11,7 @@ namespace armtune::internal {
 
 class Sensors {
  public:
-  /// Noises: standard deviations in rad (m) and rad/s (m/s). For zero nothing is drawn.
+  /// The noises are standard deviations [rad, m] and [rad/s, m/s]. No numbers are drawn for one that is zero.
   Sensors(double position_noise, double velocity_noise, std::uint64_t seed)
       : position_noise_(position_noise), velocity_noise_(velocity_noise), generator_(seed) {}
 

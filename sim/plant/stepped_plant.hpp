@@ -1,6 +1,6 @@
 #pragma once
-// A plant that is defined by its accelerations alone. Its state is advanced by one of armtune's own
-// fixed-step rules.
+// Base class for simulated arms (plants) that only compute joint accelerations. It integrates them over a
+// control period by one of armtune's own fixed-step methods.
 
 #include "core/robot/friction_step.hpp"
 #include "sim/plant/plant.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// Fixed-step integration of q'' = f(q, q') over one control period.
+// Integrates the motion q'' = f(q, q') of the simulated arm over one control period with a fixed step.
 
 #include <array>
 #include <string>

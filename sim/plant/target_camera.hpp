@@ -1,6 +1,6 @@
 #pragma once
-// The motion of the gaze targets as the controller receives it: the true motion, or an estimate filtered from
-// the noisy positions of a camera.
+// Computes the motion of the gaze targets that the controller receives. Without a camera it is the true
+// motion. With one, it is estimated by a filter from the noisy positions that the camera measures.
 
 #include <random>
 #include <vector>
@@ -19,8 +19,8 @@ class TargetCamera {
     filters_.assign(scenario.targets.size(), {scenario.camera->bandwidth, scenario.control_period});
   }
 
-  /// Returns the motion of the target `active` at `time` [s] as the controller sees it. truth: its true
-  /// motion. Call it once per control period, because a camera sees all targets all the time.
+  /// Returns the motion of the target `active` at `time` [s] as the controller receives it. truth: its true
+  /// motion. Call it once per control period, because the filters of all targets are updated in every call.
   MotionPoint<Vec3> see(std::size_t active, const MotionPoint<Vec3>& truth, double time) {
     if (!scenario_.camera) return truth;
     MotionPoint<Vec3> seen = truth;

@@ -1,5 +1,5 @@
 #pragma once
-// The delay of the torque commands by a whole number of control periods.
+// Delays the torque commands by a whole number of control periods, to simulate the delay in a real arm.
 
 #include <vector>
 

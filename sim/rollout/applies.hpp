@@ -1,6 +1,6 @@
 #pragma once
-// The decision which metrics apply to a scenario. A metric that applies and has no value is a failure. One
-// that does not apply had nothing to judge.
+// Decides which metrics apply to a scenario. A metric that applies but has no value after a rollout counts as
+// failed. A metric that does not apply had nothing to measure and is ignored.
 
 #include "sim/metrics/metric.hpp"
 #include "sim/scenario/scenario.hpp"

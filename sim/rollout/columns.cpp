@@ -57,7 +57,8 @@ void add_planned(std::vector<Column>& columns, const std::string& joint, int i, 
     return o.control->state == ControlState::kFollowPlan ? o.control->planned.position[i] : NAN;
   };
   const char* length = revolute ? "rad" : "m";
-  columns.push_back({tree + "planned", length, "planned joint position while it is followed", planned});
+  columns.push_back(
+      {tree + "planned", length, "planned joint position; empty when the plan is not followed", planned});
   columns.push_back({tree + "error", length, "true joint position minus the planned one",
                      [i, planned](const Observation& o) { return (*o.q)[i] - planned(o); }});
 }
@@ -86,7 +87,7 @@ void add_clearance(std::vector<Column>& columns, const Scenario& scenario) {
              "point of the arm that is closest to another link, the cell or the floor",
              [seen](const Observation& o) { return seen(o).closest().on_a; });
   add_vector(columns, "closest/to", "m",
-             "point of that link, the cell or the floor that is closest to closest/of",
+             "point of the other link, the cell or the floor that is closest to the point closest/of",
              [seen](const Observation& o) { return seen(o).closest().on_b; });
 }
 
@@ -106,12 +107,13 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
   add_quaternion(columns, "tool/orientation", "tool orientation in the base frame",
                  [](const Observation& o) { return Eigen::Quaterniond(o.poses->R_0T); });
   add_vector(columns, "desired/position", "m",
-             "desired tool position (the tool's own in states that track none)",
+             "desired tool position; in states that track no position, the actual one",
              [](const Observation& o) { return o.control->desired.position; });
   add_quaternion(columns, "desired/orientation",
                  "desired orientation (identity in leaveSingularity and followPlan)",
                  [](const Observation& o) { return o.control->desired_gaze.orientation; });
-  add_vector(columns, "error/position", "m", "position error, zero in states that track no position",
+  add_vector(columns, "error/position", "m",
+             "position error; zero in controller states that track no position",
              [](const Observation& o) -> Vec3 { return o.error.head<3>(); });
   add_vector(columns, "error/orientation", "rad", "rotation vector of the orientation error",
              [](const Observation& o) -> Vec3 { return o.error.tail<3>(); });
@@ -137,8 +139,8 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
   if (!scenario.obstacles.empty()) {
     columns.push_back(
         {"obstacle/distance", "m",
-         "smallest distance from a joint origin or the tool, or from a link, to an obstacle's surface since "
-         "the previous row",
+         "smallest distance from the arm (joint origins and tool, or the links' surfaces) to an obstacle's "
+         "surface since the previous row",
          [](const Observation& o) { return o.clearance; }, Over::kSmallest});
   }
   if (scenario.clearance && !scenario.clearance->pairs().empty()) add_clearance(columns, scenario);

@@ -1,5 +1,6 @@
 #pragma once
-// The only declaration of the columns of a rollout CSV: name, unit, meaning and value.
+// Declares all columns of the CSV file of a recorded rollout in one place: name, unit, meaning, and the
+// function that computes the value.
 
 #include <functional>
 #include <string>
@@ -10,8 +11,8 @@
 
 namespace armtune::internal {
 
-/// The way in which a row summarizes the periods since the row before. A limit that is violated between two
-/// rows must show in the second one.
+/// The value of a column for the control periods since the row before: that of the row's own period, the
+/// largest or the smallest. A limit that is violated between two rows must show in the second one.
 enum class Over { kThisPeriod, kLargest, kSmallest };
 
 struct Column {

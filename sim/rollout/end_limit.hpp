@@ -1,6 +1,6 @@
 #pragma once
-// Limits at which a rollout is abandoned early, because a metric that cannot recover has reached a value that
-// makes the rest of the rollout useless.
+// Limits on metrics at which a rollout is abandoned early to save time. Such a metric is an extreme or a
+// count. It cannot recover, so that the rest of the rollout is useless.
 
 #include <vector>
 

@@ -47,7 +47,7 @@ std::vector<Column> error_columns(const std::vector<FurtherColumn>& further) {
   for (const Metric m : all_metrics()) {
     columns.push_back({name(m), field(m).unit, field(m).meaning, {}});
     if (m == Metric::kJointVelocityMaxRatio)
-      columns.push_back({kJointColumn, "", "joint of joint_velocity/max_ratio", {}});
+      columns.push_back({kJointColumn, "", "joint that reached joint_velocity/max_ratio", {}});
   }
   for (const FurtherColumn& f : further) columns.push_back(f.column);
   columns.push_back(

@@ -1,6 +1,6 @@
 #pragma once
-// The result files errors.csv, with one row per scenario and every metric, and columns.csv, with the meaning
-// of every column.
+// Generates two result files of a run: errors.csv, with one row per scenario and every metric, and
+// columns.csv, with the unit and meaning of every column.
 
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ struct ScenarioResult {
   std::string scenario;
   RolloutResult result;
   std::vector<BrokenLimit> broken = {};  ///< limits of the arm that were exceeded, the earliest first
-  LeastClearances nearest = {};          ///< of a scenario with a cell; points into its clearance model
+  LeastClearances nearest = {};          ///< smallest distances; points into the scenario's clearance model
   std::optional<Shake> shake = {};       ///< the first joint whose torque oscillates
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// A watch over the joints of a rollout. It records when each kind of limit of the arm was exceeded for the
-// first time.
+// Checks in every control period whether a joint exceeds a velocity, position or effort limit. For each kind
+// of limit it records the first time, the joint and the value.
 
 #include <array>
 #include <optional>
@@ -36,13 +36,13 @@ struct BrokenLimit {
   double value = 0.0;     ///< true velocity or position, or commanded effort, in the URDF's units
   double bound = 0.0;     ///< limit times share, with the sign of the side that was exceeded
   std::string unit = {};  ///< of value and bound
-  double share = 1.0;     ///< share of the limit that was to be kept
+  double share = 1.0;     ///< allowed fraction of the limit
 };
 
 class LimitWatch {
  public:
-  /// model: the arm that is observed; no reference to it is kept. share: the share of the velocity and effort
-  /// limits above which they count as exceeded. Position limits always count in full.
+  /// model: the arm that is observed; no reference to it is kept. share: the fraction of the velocity and
+  /// effort limits above which they count as exceeded. It does not apply to position limits.
   explicit LimitWatch(const RobotModel& model, double share = 1.0);
 
   /// Checks one control period. Call it once per period. Allocates nothing.

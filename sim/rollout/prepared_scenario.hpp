@@ -1,5 +1,6 @@
 #pragma once
-// A scenario together with everything that is computed from it once and used by all of its rollouts.
+// A scenario with the data that all of its rollouts share: the model of the simulated arm, and the dynamic
+// parameters (theta) of controller and arm. They are computed once.
 
 #include "core/robot/theta.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -11,9 +12,9 @@ struct PreparedScenario {
       : scenario(s), plant(plant_model(s)), theta_start(start_theta(s)), theta_true(theta_of(plant.chain)) {}
 
   Scenario scenario;
-  RobotModel plant;             ///< the simulated arm, as it differs from the controller's model
-  ParameterVector theta_start;  ///< (13 n), from which the controller starts
-  ParameterVector theta_true;   ///< (13 n), of the plant
+  RobotModel plant;             ///< model of the simulated arm, which differs from the controller's model
+  ParameterVector theta_start;  ///< parameters (13 n) with which the controller starts
+  ParameterVector theta_true;   ///< parameters (13 n) of the simulated arm
 };
 
 }  // namespace armtune::internal

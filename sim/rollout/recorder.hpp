@@ -1,5 +1,5 @@
 #pragma once
-// A recorder that keeps every k-th period of a rollout and writes them as CSV.
+// Records the time series of a rollout, with one row for every k-th control period, and writes it as CSV.
 
 #include <string>
 
@@ -9,20 +9,21 @@ namespace armtune::internal {
 
 class Recorder {
  public:
-  /// Keeps every `stride`-th period (>= 1), the first one included. Columns that summarize periods (Over) put
-  /// the periods between two rows into the second one.
+  /// Keeps a row for the first control period and then for every `stride`-th (>= 1). Columns with the largest
+  /// or smallest value (Over) include the periods between two rows in the second row.
   Recorder(const Scenario& scenario, int stride);
 
+  /// Records one control period. It is an Observer and always returns true.
   bool operator()(const Observation& o);
 
-  /// Returns the values row by row, one per column, with one row per kept period. Columns that summarize
-  /// periods put those after the last row into that row. completed: if false, the last period has a row of
-  /// its own instead, because that period shows why the rollout failed.
+  /// Returns the values row by row, one per column. Columns with the largest or smallest value include the
+  /// periods after the last row in that row. completed: if false, the last period has a row of its own
+  /// instead, because that period shows why the rollout failed.
   std::vector<double> rows(bool completed = true) &&;
   std::vector<double> rows(bool completed = true) const& { return Recorder(*this).rows(completed); }
 
-  /// Writes rollout_<scenario>.csv: a header row, then `rows`. Numbers read back to the same bits. A value
-  /// that is not finite is an empty cell. Throws InputError if the file cannot be written.
+  /// Writes the CSV file of the rollout: a header row, then `rows`. Numbers read back to the same bits. A
+  /// value that is not finite is an empty cell. Throws InputError if the file cannot be written.
   void write_csv(const std::string& path, bool completed = true) const;
 
   const std::vector<Column>& columns() const { return columns_; }

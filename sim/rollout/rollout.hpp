@@ -1,6 +1,6 @@
 #pragma once
-// One closed-loop simulation of a scenario. Its result is a pure function of scenario, gains, stepper and
-// engine.
+// Simulates a scenario in closed loop with the controller. One such simulation is called a rollout. Its
+// result is a pure function of scenario, gains, stepper and engine.
 
 #include <memory>
 
@@ -12,7 +12,8 @@
 
 namespace armtune::internal {
 
-/// A scenario that is prepared for many runs: model, plant and theta. Each thread needs its own.
+/// A simulator of one scenario. It computes the model of the arm once and can then run many times with
+/// different gains. Each thread needs its own object.
 class Rollout {
  public:
   Rollout(const Scenario& scenario, Stepper stepper, Engine engine = Engine::kSimbody);

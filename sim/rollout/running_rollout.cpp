@@ -91,7 +91,8 @@ bool RunningRollout::judge(const Observer& observer) {
     end(RolloutStatus::kInterrupted, fmt::format("interrupted at {:.3f} s", o.time));
   } else if (const EndLimit* limit = reached(limits_, metrics_)) {
     end(RolloutStatus::kHopeless,
-        fmt::format("{} reached {:.4g} at {:.3f} s in {}; a rollout is abandoned from {:.4g} on",
+        fmt::format("{} reached {:.4g} at {:.3f} s in the state {}; rollouts are abandoned when this metric "
+                    "reaches {:.4g}",
                     name(limit->metric), metrics_.so_far(limit->metric), o.time, name(o.control->state),
                     limit->value));
   }
@@ -109,7 +110,7 @@ void RunningRollout::moved(const JointVector& q, const JointVector& qd, const st
   const std::string cause = Kd_ == nullptr ? "" : unstable_damping(prepared_, measured_, *Kd_);
   if (!cause.empty()) why += "; " + cause;
   end(RolloutStatus::kDiverged,
-      fmt::format("diverged at {:.3f} s in {}: {}", observation_.time + scenario_.control_period,
+      fmt::format("diverged at {:.3f} s in the state {}: {}", observation_.time + scenario_.control_period,
                   name(observation_.control->state), why));
 }
 
@@ -121,8 +122,8 @@ RolloutResult RunningRollout::result() {
       !(result_.metrics[Metric::kSamples] > 0.0)) {
     result_.status = RolloutStatus::kNoSamples;
     result_.reason = fmt::format(
-        "no control period in {} s counted as tracking: none was outside a slerp and at least 1 s after the "
-        "start of followTrajectory; the last state was {}",
+        "no control period in {} s counted as tracking; a period counts only outside slerps and from 1 s "
+        "after the start of the state followTrajectory on; the last state was {}",
         scenario_.duration, name(observation_.control->state));
   }
   return std::move(result_);

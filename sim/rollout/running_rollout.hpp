@@ -1,9 +1,9 @@
 #pragma once
-// The state of a rollout between its periods: the inputs of arm, controller and plant, and the evaluation of
-// their outputs. The arithmetic itself is done elsewhere, for one arm alone (Rollout) or for several side by
-// side (RolloutLanes).
+// The state of a rollout that is being simulated: time, sensors, torque delay, metrics, and whether it has
+// ended. It contains what all simulators share. The controller and the plant are computed by its callers, for
+// one arm alone (Rollout) or for several at the same time (RolloutLanes).
 //
-// The steps of a period are: sense, control, act, true state, judge, plant, moved.
+// The steps of a control period are: sense, control, act, true state, judge, plant, moved.
 
 #include <optional>
 #include <string>
@@ -34,23 +34,26 @@ class RunningRollout {
   const Scenario& scenario() const { return scenario_; }
   /// Returns the number of the next period, counted from 0.
   int period() const { return k_; }
-  /// Begins a period in this world, with the plant at q, q' (n). All three arguments must stay in place until
-  /// the plant has moved.
+  /// Begins a control period with the plant at q, q' (n): measures the state and prepares the controller's
+  /// inputs. world: targets, path and obstacles in this period. All three arguments must stay in place until
+  /// moved() is called.
   void sense(const JointVector& q, const JointVector& qd, const World& world);
   double time() const { return observation_.time; }  ///< [s]
   const JointState& measured() const { return measured_; }
   bool measures_exactly() const { return sensors_.exact(); }
-  /// True if the controller sees both the arm and the target exactly.
+  /// True if the controller receives both the arm's state and the target's motion exactly.
   bool sees_exactly() const { return sensors_.exact() && !scenario_.camera; }
   const Scene& scene() const { return scene_; }
 
-  /// Takes the controller's output and returns the observation with the torque that acts now. The caller then
-  /// fills in the true state. Kd (n): null unless the torque contains -Kd S. All three arguments must stay in
-  /// place until the plant has moved.
+  /// Passes the controller's torque through the delay, and returns the observation with the torque that acts
+  /// now. The caller then fills in the true state. Kd (n): null unless the torque contains -Kd S. All three
+  /// arguments must stay in place until moved() is called.
   Observation& act(const ControlOutput& control, const ParameterVector& theta, const JointVector* Kd);
-  /// Evaluates the complete observation. Returns false if the rollout ends with it, before the plant moves.
+  /// Updates the metrics with the complete observation, calls the observer and checks the end limits. Returns
+  /// false if the rollout ends here, before the plant moves.
   bool judge(const Observer& observer);
-  /// Ends the period with the plant at q, q'. failure: why the plant failed; empty if it did not.
+  /// Ends the period with the plant at q, q' (n), and checks whether the rollout has diverged. failure: why
+  /// the engine failed; empty if it did not.
   void moved(const JointVector& q, const JointVector& qd, const std::string& failure);
 
   /// Returns the result. Call it once, after goes_on() has become false.

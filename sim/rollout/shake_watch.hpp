@@ -1,7 +1,7 @@
 #pragma once
-// A watch over the torques of a rollout for joints that shake. A torque that oscillates by half of the
-// joint's effort limit or more, at 5 Hz or more, is hardly part of a task: the loop is near its stability
-// limit, or it amplifies noise.
+// Detects joints that shake during a rollout, that is, whose commanded torque oscillates. A torque that
+// swings by half of the joint's effort limit or more, at 5 Hz or more, is hardly part of a task. The control
+// loop is then near its stability limit, or it amplifies noise.
 
 #include <optional>
 #include <string>

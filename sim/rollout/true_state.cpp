@@ -1,7 +1,7 @@
 #include "sim/rollout/true_state.hpp"
 
-#include "core/control/axis_error.hpp"
 #include "core/control/obstacle_distance.hpp"
+#include "core/control/tracking_error.hpp"
 
 namespace armtune::internal {
 
@@ -41,21 +41,9 @@ void see_errors(bool exact, Observation& o) {
   o.error.setZero();
   o.error_rate.setZero();
   if (tracks_joints(control.state)) return;
-  if (control.state != ControlState::kAvoidObstacles) {
-    o.error.head<3>() = poses.p_0T - control.desired.position;
-    o.error_rate.head<3>() = o.twist.head<3>() - control.desired.velocity;
-  }
-  // Outside a slerp the desired orientation is where the true tool should look; inside, the slerp's.
-  const bool turns_freely = o.mask == TaskMask::kPositionAndAxis;
-  const Eigen::Quaterniond& desired = control.desired_gaze.orientation;
-  o.error.tail<3>() = -turn;
-  if (control.slerping) {
-    o.error.tail<3>() = turns_freely
-                            ? axis_error(poses.R_0T, desired)
-                            : Vec3(-rotation_log(desired * Eigen::Quaterniond(poses.R_0T).conjugate()));
-  }
-  const Vec3 rate = o.twist.tail<3>() - control.desired_gaze.angular_velocity;
-  o.error_rate.tail<3>() = turns_freely ? axis_rate(poses.R_0T, rate) : rate;
+  const TrackingError error = tracking_error(poses.R_0T, poses.p_0T, o.twist, control, turn, o.mask);
+  o.error = error.pose;
+  o.error_rate = error.rate;
 }
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// Adds to an observation what follows from the plant's true state.
+// Computes the true tool pose, tracking errors, gaze angle and clearance of one control period from the state
+// of the simulated arm, not from noisy measurements. Metrics and recordings use these values.
 
 #include "sim/rollout/running_rollout.hpp"
 
@@ -9,7 +10,7 @@ namespace armtune::internal {
 /// set. exact: true if the controller computed its gaze from this very pose and target.
 void see_errors(bool exact, Observation& o);
 
-/// The workspace and the constants of the observations of one rollout.
+/// The workspace and the constants for the observations of one rollout.
 class TrueState {
  public:
   /// theta_true (13 n): parameters of the plant. Both arguments must outlive this object.

@@ -1,5 +1,6 @@
 #pragma once
-// The surroundings of the arm in one control period. They depend on time alone, not on what the arm does.
+// The surroundings of the arm in one control period: gaze target, point on the tool's path, and obstacles.
+// They depend only on time, not on the motion of the arm.
 
 #include <optional>
 #include <vector>

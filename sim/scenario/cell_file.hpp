@@ -1,5 +1,6 @@
 #pragma once
-// The reader of the key `cell` of scenario and robot files.
+// Reads the key `cell` of scenario and robot files. It describes the surroundings of the arm (floor and
+// convex parts), which the arm must not touch.
 
 #include <string>
 #include <vector>

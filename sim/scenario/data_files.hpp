@@ -1,16 +1,17 @@
 #pragma once
-// Lookup of data files. Bundled robots, scenarios, gains and studies are found by name, and the user's own
-// files by path.
+// Finds data files: robots, scenarios, gains and studies. Files that are installed with armtune (bundled) are
+// found by name, and the user's own files by path.
 
 #include <string>
 #include <vector>
 
 namespace armtune::internal {
 
-/// Returns the path of `name_or_path`. With a '/' or the extension of a data or robot file it is a path,
-/// otherwise the name of a bundled file in `folder` ("robots", "scenarios", "gains", "studies"). relative_to:
-/// the folder of the file that names it, in which relative paths are tried first; may be empty. Throws
-/// InputError if there is no such file. For a name the message lists the bundled files.
+/// Returns the path of the file `name_or_path`. With a '/' or the extension of a data or robot file it is a
+/// path. Otherwise it is the name of a bundled file in `folder` ("robots", "scenarios", "gains", "studies").
+/// relative_to: a folder in which relative paths are tried first, that of the file that contains
+/// `name_or_path`; may be empty. Throws InputError if there is no such file. For a name the message lists the
+/// bundled files.
 std::string find_data_file(const std::string& folder, const std::string& name_or_path,
                            const std::string& relative_to = {});
 
@@ -28,8 +29,8 @@ std::string portable_reference(const std::string& path);
 /// Returns the path for a person to read. Bundled files are shown without the folder of their installation.
 std::string shown_path(const std::string& path);
 
-/// Returns the path of a file that the file `named_in` names. A relative path starts in the folder of that
-/// file.
+/// Returns the full path of a file that another file, `named_in`, refers to by `path`. A relative path starts
+/// in the folder of `named_in`.
 std::string file_beside(const std::string& path, const std::string& named_in);
 
 /// Returns the file name without folder and extension.

@@ -108,8 +108,8 @@ class Placing {
       const Vec3& tool = lightest_.tool;
       return fmt::format(
           "joint '{}' needs {:.0f} % of its effort limit of {:.3g} to hold the arm with its tool at ({:.3g}, "
-          "{:.3g}, {:.3g}) m. A task may need {:.0f} %, and none with less load was found; check this limit "
-          "and the masses",
+          "{:.3g}, {:.3g}) m. A first task may need at most {:.0f} %, but no place with a lower load was "
+          "found; check this limit and the masses",
           joint.name, 100.0 * lightest_.value, joint.limits.effort, tool.x(), tool.y(), tool.z(),
           100.0 * kMostLoad);
     }

@@ -1,6 +1,6 @@
 #pragma once
-// A first task for an arm, made from its URDF alone: a circle where the arm moves well, and two targets ahead
-// of the tool that the gaze alternates between. It is meant as a start for tuning and for the user's edits.
+// Generates a first scenario for an arm from its URDF alone. The tool follows a circle at a place where the
+// arm moves well, and aims at two targets ahead of it in turn. Users tune on it and edit it.
 
 #include <memory>
 #include <optional>
@@ -21,13 +21,13 @@ struct TaskOptions {
   bool without_floor = false;    ///< no floor, not even below an upright arm
   std::optional<TaskMask> mask;  ///< none: position and gaze, or position alone where that does not fit
   bool thorough = false;  ///< tries ten times as many positions: for an arm that can hardly hold itself
-  /// Factor on the times of one lap and of one look at a target [1]. Meant for an arm that is too slow for
-  /// the task.
+  /// Factor on the duration of one lap of the circle and on the time between target switches [1]. Meant for
+  /// an arm that is too slow for the task.
   double slowness = 1.0;
 };
 
-/// Returns true if the task stays above a floor that nobody specified: at the base's height, under an upright
-/// arm.
+/// Returns true if the task assumes a floor that the options do not give: at the height of the base, under an
+/// upright arm.
 bool assumes_floor(const RobotModel& robot, const TaskOptions& options);
 
 struct DefaultTask {
@@ -36,8 +36,8 @@ struct DefaultTask {
   double manipulability = 0.0;  ///< smallest value on the task
   bool in_given_cell = false;   ///< the cell was given in TaskOptions
   bool without_floor = false;   ///< as in TaskOptions
-  double load = 0.0;            ///< largest share of a joint's effort limit for holding the arm still
-  int loaded = 0;               ///< the joint with that load
+  double load = 0.0;            ///< largest fraction of an effort limit that holding the arm still takes
+  int loaded = 0;               ///< index of the joint with that load
 };
 
 /// Returns a task that the arm can do. The circle is perpendicular to the tool's z axis. Its radius is 0.09
@@ -51,15 +51,16 @@ struct DefaultTask {
 ///     cell,
 ///   - holding the arm still takes at most 0.85 of each effort limit.
 ///
-/// The start is moved closer to the circle if holding the arm on the way from it takes more than the task and
-/// more than half of an effort limit. It keeps at least a 32nd of its distance. The task is position and
-/// gaze, or position alone if the arm has no joints or no place for more. The plant has noise, a delay of one
-/// period and a payload of two per cent of the arm's mass. The controller's model of the arm is too light, so
-/// that high gains have a price. Throws InputError with the reason if there is no such place.
+/// The start position of the simulation is off the circle. It is moved closer to it if holding the arm on the
+/// way takes more than on the circle and more than half of an effort limit. It keeps at least 1/32 of its
+/// distance. The arm tracks position and gaze. It tracks the position alone if it has too few joints for more
+/// or if no place for more is found. The plant has noise, a delay of one period and a payload of two per cent
+/// of the arm's mass. The controller starts with masses that are too low, so that high gains have a price.
+/// Throws InputError with the reason if no place is found.
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options = {});
 
-/// Returns that task and others, at other places or smaller at the same places: up to `count` (>= 1), the
-/// preferred ones first. Throws InputError if there is none.
+/// Returns the task of default_task and up to `count` - 1 (count >= 1) others, the preferred ones first. They
+/// are at other places, or smaller at the same places. Throws InputError if there is none.
 std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, const TaskOptions& options,
                                        std::size_t count);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Generates the text of the scenario file that `armtune robot --task` writes.
+// Generates the text of the scenario file that the command `armtune robot --task` writes. It contains a first
+// task for an arm, made from its URDF alone (default_task.hpp).
 
 #include <string>
 

@@ -115,7 +115,9 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
   }
   if (!node.empty())
     throw InputError(fmt::format(
-        "{}: this is not a ROS parameter file with controllers; leave the node '{}' out", path, node));
+        "{}: this is not a ROS parameter file with controllers; remove the option or key that names the node "
+        "'{}'",
+        path, node));
   const yaml::Node root = yaml::parse_text(text, path);
   const yaml::Node& fields = fields_node(root);
   refuse_several(fields);

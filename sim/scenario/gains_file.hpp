@@ -1,6 +1,6 @@
 #pragma once
-// Gains as YAML, with the names of the published fields, so that the ROS parameter file of a published
-// controller loads unchanged.
+// Reads and writes gains as YAML. The keys are the parameter names of a ROS controller for the UR10 that was
+// published in 2021. The parameter file of this published controller therefore loads unchanged.
 
 #include <string>
 #include <utility>
@@ -17,7 +17,7 @@ namespace armtune::internal {
 /// The fields are at the top or under one key of any name (the published `simple_effort_ctrl`), or one below
 /// another (ROS 2's node and `ros__parameters`). The path of the published file (circularTrajectory*) is
 /// accepted and ignored, because the scenario gives the tool's path. So are the parameters that ROS 2 gives
-/// every node. node: which controller of a ROS parameter file that has several. Throws InputError.
+/// every node. node: name of the controller in a ROS parameter file that has several. Throws InputError.
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
                  const std::string& relative_to = {}, const std::string& node = {});
 

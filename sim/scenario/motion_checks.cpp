@@ -79,9 +79,9 @@ void MotionChecks::steps() const {
       const auto check = [&](const char* what, double value, double wanted, double most) {
         if (std::abs(value - wanted) <= most) return;
         throw InputError(fmt::format(
-            "{}: joint/{}/{} is {:.9g}. It differs by {:.3g} from the value that follows from the previous "
-            "row with linear acceleration between rows; at most {:g} is allowed. Give more rows, more "
-            "digits, or accelerations that match",
+            "{}: joint/{}/{} is {:.9g}. It differs by {:.3g} from the value that the previous row gives if "
+            "the acceleration changes linearly between the rows; at most {:g} is allowed. Give more rows, "
+            "more digits, or accelerations that match",
             points_.where(k + 1), robot_.joints[static_cast<std::size_t>(i)].name, what, value,
             std::abs(value - wanted), most));
       };

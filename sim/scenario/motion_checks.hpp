@@ -10,7 +10,7 @@ namespace armtune::internal {
 
 class MotionChecks {
  public:
-  /// robot and points must outlive this object. degrees: advice in messages for a file that may be in
+  /// robot and points must outlive this object. degrees: text that messages add if the numbers look like
   /// degrees.
   MotionChecks(const RobotModel& robot, const MotionPoints& points, const char* degrees)
       : robot_(robot), points_(points), degrees_(degrees) {}
@@ -18,16 +18,16 @@ class MotionChecks {
   /// Throws InputError naming the first point whose position is outside a joint's limits.
   void at_points() const;
 
-  /// Throws InputError if a joint leaves its limits between two points whose acceleration is linear between
-  /// them. The positions where each joint reverses are checked.
+  /// Throws InputError if a joint leaves its limits between two points. It assumes that the acceleration is
+  /// linear between them, and checks the positions where each joint reverses.
   void between_knots() const;
 
-  /// Throws InputError if a joint leaves its limits between two points of any motion through the points. The
-  /// motion is checked at 31 times between two of them.
+  /// Throws InputError if a joint leaves its limits between two points. `motion` is any motion through the
+  /// points, and is checked at 31 times between two of them.
   void between_points(const JointSpline& motion) const;
 
-  /// Throws InputError naming the first point that does not follow from the one before with an acceleration
-  /// that is linear in between.
+  /// Throws InputError naming the first point that does not match the point before it: with linear
+  /// acceleration between the two, its position or velocity would be different.
   void steps() const;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-// The points of a joint motion from a user's file, in the order of an arm's joints.
+// The points of a joint motion that was read from a user's file. The values of each point are in the order of
+// the arm's joints.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-// Rows of a motion in a user's CSV file: their times must rise and their numbers must be finite.
+// Reads the rows of a motion from a user's CSV file, and checks that the times rise and that all numbers are
+// finite.
 
 #include <string>
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace armtune::internal {
 
-/// Returns the line of the file that holds a row of the table.
+/// Returns the line of the file, counted from 1, that contains a row of the table, counted from 0.
 std::size_t line_of(std::size_t row);
 
 /// Returns the number in a cell. Throws InputError naming file, line and column unless it is finite.

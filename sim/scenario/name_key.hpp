@@ -1,5 +1,5 @@
 #pragma once
-// Reads the key `name`, by which a scenario file calls its targets, obstacles and parts of the cell.
+// Reads the key `name` of a gaze target, an obstacle or a part of the robot cell in a scenario file.
 
 #include <string>
 

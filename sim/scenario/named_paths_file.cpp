@@ -74,7 +74,8 @@ std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::str
   const yaml::Node& count_node = map.required("count");
   const long count = count_node.as_integer();
   if (count < 1 || count > kMostRandomTargets) {
-    count_node.fail(fmt::format("{} targets; it must lie in 1 .. {}", count, kMostRandomTargets));
+    count_node.fail(
+        fmt::format("the number of targets is {}; it must lie in 1 .. {}", count, kMostRandomTargets));
   }
   const Vec3 low(map.required("low").as_numbers(3).data());
   const yaml::Node& high_node = map.required("high");
@@ -105,7 +106,10 @@ std::vector<TargetTurn> read_schedule(const yaml::Node& node, const std::vector<
     if (turn.target == targets.size())
       target.fail("'" + name + "' is not a target" + suggestion(name, names));
     if (!(turn.at > (schedule.empty() ? 0.0 : schedule.back().at)))
-      at.fail(fmt::format("{} s; the times of a schedule must begin above zero and rise", turn.at));
+      at.fail(
+          fmt::format("the time {} s is not allowed here; the times of a schedule must be above zero and "
+                      "increase",
+                      turn.at));
     if (turn.target == before)
       target.fail(fmt::format("the gaze is already at {}; give another target", name));
     before = turn.target;

@@ -1,6 +1,6 @@
 #pragma once
-// Reads the gaze targets and the obstacles of a scenario file, each with its name and its motion, and the
-// schedule of the gaze.
+// Reads the gaze targets and the obstacles of a scenario file, each with its name and its motion. It also
+// reads the schedule, which gives the times at which the tool aims at another target.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,8 @@
 
 namespace armtune::internal {
 
-/// Reads a list of named paths, each with the radius of its body: `radius` [m], 0 where it is left out.
+/// Reads a list of obstacles, each with a name, a path and the radius of its sphere: `radius` [m], by default
+/// 0. Files that are read are added to `inputs`.
 std::vector<MovingObstacle> read_obstacles(const yaml::Node& node, std::vector<std::string>& inputs);
 
 /// Reads a list of targets, or {random: {count, low, high, seed}}. Both forms share one key, so that either

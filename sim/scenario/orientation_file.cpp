@@ -72,8 +72,9 @@ void check_along(const yaml::Node& node, const Path& path, const ToolOrientation
     }
     if (!(now.cross(approach).norm() > kLeastSine * approach.norm())) {
       node.fail(
-          fmt::format("the path runs along [{:.4g}, {:.4g}, {:.4g}] at {:.4g} s, where the tool's z axis "
-                      "cannot be near this direction; give another direction",
+          fmt::format("the path runs along [{:.4g}, {:.4g}, {:.4g}] at {:.4g} s. The tool's z axis is "
+                      "perpendicular to the path, so it cannot be near this direction there; give another "
+                      "direction",
                       approach.x(), approach.y(), approach.z(), time));
     }
     const double rate = along.at(time, path).angular_velocity.norm();
@@ -100,7 +101,7 @@ ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::
     orientation.start = read_quaternion(*quaternion);
   if (const yaml::Node* along = map.optional("along_path")) {
     orientation.approach = Vec3(along->as_numbers(3).data());
-    if (orientation.approach->isZero(0.0)) along->fail("is zero; it must have a direction");
+    if (orientation.approach->isZero(0.0)) along->fail("this vector is zero; it must have a direction");
     check_along(*along, path, orientation);
   }
   if (const yaml::Node* waypoints = map.optional("waypoints")) {

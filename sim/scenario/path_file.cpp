@@ -31,7 +31,7 @@ Vec3 read_vec3(const yaml::Node& node) {
 /// A vector that says a direction or an extent.
 Vec3 read_extent(const yaml::Node& node) {
   Vec3 extent = read_vec3(node);
-  if (extent.isZero(0.0)) node.fail("is zero; it must have a direction and a length");
+  if (extent.isZero(0.0)) node.fail("this vector is zero; it must have a direction and a length");
   return extent;
 }
 
@@ -88,13 +88,13 @@ void require_sensible(const Path& path, const yaml::Node& node) {
     node.fail(
         fmt::format("the fastest harmonic has {} rad/s; at most {:.0e} rad/s is allowed", fastest, kFastest));
   if (!(std::abs(path.phase) <= kMostTurns))
-    node.fail(
-        fmt::format("the path begins at {} rad; at most {:.0e} rad is allowed", path.phase, kMostTurns));
+    node.fail(fmt::format("the path begins at a phase of {} rad; at most {:.0e} rad is allowed", path.phase,
+                          kMostTurns));
 }
 
 double read_positive(const yaml::Node& node, const char* unit) {
   const double value = node.as_number();
-  if (!(value > 0.0)) node.fail(fmt::format("{} {}; it must be above zero", value, unit));
+  if (!(value > 0.0)) node.fail(fmt::format("the value is {} {}; it must be above zero", value, unit));
   return value;
 }
 
@@ -158,7 +158,7 @@ Path read_polyline(const yaml::Node& node, const Files&) {
   std::vector<Vec3> corners;
   for (const yaml::Node& item : corners_node.items()) {
     if (corners.size() == kMostCorners)
-      corners_node.fail(fmt::format("more than {} corners; give fewer", kMostCorners));
+      corners_node.fail(fmt::format("the line has more than {} corners; give fewer", kMostCorners));
     corners.push_back(read_vec3(item));
     const double distance = corners.back().stableNorm();
     if (!(distance <= kFarthest))
@@ -226,7 +226,10 @@ Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs, bool of_p
   }
   for (const char* key : {"center", "frequency", "phase", "terms"}) {
     if (map.has(key) && chosen != nullptr)
-      chosen->fail(fmt::format("cannot be combined with '{}' of a sum of harmonics; keep one of them", key));
+      chosen->fail(
+          fmt::format("this curve cannot be combined with '{}', which belongs to a sum of harmonics; keep "
+                      "one of the two",
+                      key));
   }
   if (chosen != nullptr) return path;
   path.center = read_vec3(map.required("center"));

@@ -1,25 +1,27 @@
 #pragma once
-// A walk along a scenario's task by inverse kinematics, without dynamics, gains or velocity limits. It shows
-// before the first simulation where the arm cannot do the task with any controller.
+// Lets an arm follow the task of a scenario step by step by inverse kinematics. This is called a walk. It
+// uses no dynamics, no gains and no velocity limits. It shows before the first simulation where the arm
+// cannot do the task with any controller.
 
 #include "sim/scenario/scenario.hpp"
 #include "sim/scenario/walk_extremes.hpp"
 
 namespace armtune::internal {
 
-/// The end of a walk: that of the task, so that everything on it is found, or the place where the arm leaves
-/// the path or a joint limit and therefore cannot follow.
+/// The end of a walk. kEnd: the end of the task, so that every problem on it is found. kLost: the place where
+/// the arm leaves the path or its joint limits, and therefore cannot follow.
 enum class WalkUntil { kEnd, kLost };
 
-/// Walks the task from joint positions q (n) that have the tool on the path at scenario.start_time.
+/// Follows the task from joint positions q (n) that have the tool on the path at scenario.start_time.
 ///
-/// The walk covers the whole scenario. One lap of the path is enough if it is shorter, the cell rests, the
-/// targets rest without switching, the tool does not turn through waypoints, and the joints return to their
-/// start or drift without leaving their limits in the other laps. Steps are 0.02 s long, and longer for more
-/// than 400 s. Of more than 1000 s the first 1000 are walked.
+/// The walk covers the whole scenario. It covers only one lap of the path if all of this is true: a lap is
+/// shorter than the scenario, the parts of the cell rest, the targets rest and do not switch, the tool does
+/// not turn through waypoints, and the joints return to their start or drift so little that they stay within
+/// their limits in all laps. Steps are 0.02 s long, and longer if the walk covers more than 400 s. It ends
+/// after 1000 s at the latest.
 ///
-/// The scenario needs only a robot, a path, targets or an orientation, and a mask.
-/// centering_gain: joint_centering_gain, roll_gain: roll_centering_gain [1/s].
+/// The scenario needs only a robot, a path, targets or an orientation, and a mask. centering_gain, roll_gain:
+/// the gains joint_centering_gain and roll_centering_gain of the controller [1/s].
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain,
                    double roll_gain = 0.0, WalkUntil until = WalkUntil::kEnd);
 

@@ -1,6 +1,7 @@
 #pragma once
-// Arms and scenes that differ at random from a scenario's own. They show how well gains work away from the
-// model that they were tuned on. Sample k of a seed is always the same, whichever other samples are drawn.
+// Creates random variants of a scenario. For example, masses, friction, payload, delay, noise and the motions
+// of targets differ from the scenario's own. The variants show how well gains work if the real arm differs
+// from the model. Sample k of a seed is always the same, whichever other samples are drawn.
 
 #include <cstdint>
 #include <span>
@@ -33,7 +34,7 @@ struct PerturbationField {
   const char* meaning;
   double Perturbation::*width;
   double most;         ///< largest width
-  bool most_included;  ///< false: the width must stay below `most`, where nothing would be left of the value
+  bool most_included;  ///< false: the width must stay below `most`, at which the value could become zero
 };
 
 /// Returns every width, in order.
@@ -43,7 +44,8 @@ std::span<const PerturbationField> perturbation_fields();
 /// the scenarios carries.
 Perturbation default_perturbation(std::span<const Scenario> scenarios);
 
-/// Returns widths of zero that leave the phases as they are. Only the seed of the noise differs then.
+/// Returns widths of zero that also leave the phases unchanged. A perturbed scenario then differs only in the
+/// seed of the noise.
 Perturbation no_perturbation();
 
 /// Throws InputError, with `where` in front, naming field, value and limit.

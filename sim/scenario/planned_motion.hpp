@@ -1,6 +1,6 @@
 #pragma once
-// A planned trajectory from a file: the CSV that `armtune plan` writes, a user's CSV with the same columns,
-// or a trajectory message of ROS.
+// Reads a planned joint trajectory from a file: the CSV that `armtune plan` writes, a user's CSV with the
+// same columns, or a trajectory message of ROS.
 
 #include <string>
 
@@ -10,10 +10,10 @@
 
 namespace armtune::internal {
 
-/// A file of a planned motion, and how its points are joined.
+/// A file with a planned motion, and how its points are interpolated.
 struct PlannedFile {
   UserTable table;
-  bool as_ros = false;  ///< as ROS's controllers join them: see ros_segments.hpp
+  bool as_ros = false;  ///< true: as in the controllers of ROS, see ros_segments.hpp
 };
 
 /// Reads a path, relative to the folder of the file that names it, or {file, units: {time, angle, length},
@@ -24,14 +24,14 @@ PlannedFile read_planned_node(const yaml::Node& node);
 ///
 /// A CSV file has `time` [s] and, for each joint of the robot, `joint/NAME/position` or simply `NAME`. All or
 /// none of the joints have `joint/NAME/velocity` and `/acceleration` (rad or m; per second, whatever the unit
-/// of time). Other columns are ignored. Points are joined as follows:
+/// of time). Other columns are ignored. Points are interpolated as follows:
 ///   - as ROS does: a message, rows with velocities and no accelerations, and with `segments: as_ros`;
 ///   - otherwise, with accelerations: linear acceleration between rows;
 ///   - otherwise, positions alone: the cubic spline, at rest at both ends.
 ///
 /// Throws InputError with file, line, column, value and limit if a column or a number is missing, times do
-/// not rise from 0 s on, a position is outside the joint's limits, or a row does not follow from the row
-/// before it by the acceleration.
+/// not rise from 0 s on, a position is outside the joint's limits, or the position or velocity of a row does
+/// not match the accelerations of this row and the row before it.
 JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot);
 
 }  // namespace armtune::internal

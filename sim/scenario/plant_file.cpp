@@ -35,7 +35,8 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
   plant.velocity_noise = map.number_in("velocity_noise", 0.0, 0.0, kInfinity);
   const long delay = map.integer("torque_delay_periods", 0);
   if (delay < 0 || delay > 1000) {
-    map.required("torque_delay_periods").fail(fmt::format("{} periods; it must lie in 0 .. 1000", delay));
+    map.required("torque_delay_periods")
+        .fail(fmt::format("the delay is {} periods; it must lie in 0 .. 1000", delay));
   }
   plant.torque_delay_periods = static_cast<int>(delay);
   if (const yaml::Node* payload_node = map.optional("payload")) {

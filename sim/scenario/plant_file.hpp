@@ -1,6 +1,6 @@
 #pragma once
-// Readers of the parts of a scenario file that describe the real arm, as it differs from the controller's
-// model, and the camera.
+// Reads the parts of a scenario file that describe how the simulated arm differs from the controller's model
+// (payload, friction, noise, delay), and the camera that measures the targets.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-// Checks for figures of a robot file that are valid but hardly those of a real arm: placeholders, wrong
-// units, a gripper taken for a joint. Such figures make a simulation wrong without an error.
+// Finds numbers in a robot file that are valid but hardly those of a real arm: placeholders, wrong units, a
+// gripper taken for a joint. Such numbers make a simulation wrong without an error.
 
 #include <string>
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace armtune::internal {
 
-/// A value that a robot YAML could give in place of a doubtful one.
+/// A value that the user could write into a robot YAML in place of a doubtful one.
 struct ProposedValue {
   std::string key;    ///< of the robot YAML: limits, inertia, hold
   std::string name;   ///< joint or link
   std::string field;  ///< key in the map of that name; empty: the value belongs to the name itself
-  std::string value;  ///< empty: only the arm's maker has it
+  std::string value;  ///< empty: armtune can propose none; the arm's maker has it
 };
 
 struct Doubt {
@@ -28,7 +28,7 @@ struct Doubt {
 /// moves like a gripper's finger.
 std::vector<Doubt> doubts_with_proposals(const RobotModel& robot);
 
-/// Returns the sentences alone.
+/// Returns the sentences of these doubts, without proposals.
 std::vector<std::string> doubts(const RobotModel& robot);
 
 /// Returns the text of a robot YAML for the arm of `urdf` in which every doubt and every proposal is a

@@ -1,5 +1,5 @@
 #pragma once
-// Gaze targets at rest at random places.
+// Creates gaze targets that rest at random places. A scenario file requests them by the key `random`.
 
 #include <cstdint>
 #include <vector>

@@ -49,7 +49,7 @@ void check_radii(const yaml::Node& node, const RobotModel& model) {
   for (int i = 0; i < model.n(); ++i) {
     const double radius = model.link_radii[i];
     if (radius >= 0.0 && radius <= kThickest) continue;
-    node.fail(fmt::format("{}: {} m; a link's radius must lie in 0 .. {}",
+    node.fail(fmt::format("the radius of {} is {} m; it must lie in 0 .. {}",
                           model.joints[static_cast<std::size_t>(i)].link, radius, kThickest));
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The user's description of a robot: a URDF alone, or a YAML file beside it. The YAML file says which part of
-// the URDF is the arm, and adds what a URDF cannot contain or this one leaves out.
+// Reads the user's description of a robot: a URDF alone, or a YAML file that refers to a URDF. The YAML file
+// selects the arm within the URDF. It also adds data that a URDF cannot contain or that this one lacks.
 
 #include <memory>
 #include <optional>

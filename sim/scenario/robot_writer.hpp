@@ -1,5 +1,6 @@
 #pragma once
-// The text of a robot YAML for a RobotModel, with the data that its URDF cannot contain.
+// Generates the robot YAML for a model of an arm. It has the data that the model's URDF cannot contain, such
+// as rotor inertia.
 
 #include <string>
 

@@ -48,7 +48,7 @@ Gains with_goal(Gains gains, const Scenario& scenario) {
     }
     throw InputError(scenario.name +
                      ": the scenario has a start_position_deg, but the gains have no joint_space_goal; give "
-                     "a joint_space_goal, or leave out both to have them computed");
+                     "joint_space_goal too, or remove start_position_deg, and armtune computes both");
   }
   gains.joint_space_goal = in_degrees(*scenario.robot, scenario.goal_position);
   return gains;

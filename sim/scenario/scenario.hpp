@@ -31,16 +31,17 @@ struct TargetTurn {
   std::size_t target = 0;  ///< index
 };
 
-/// The start value of theta: scale * the controller's model (0: nothing known, 1: the model), or values from
-/// a file.
+/// The start value of theta, the dynamic parameters with which the controller computes torques. It is either
+/// model_scale times the parameters of the robot's model, or it comes from a file.
 struct ThetaStart {
-  double model_scale = 0.0;
-  std::string file;         ///< theta by name in YAML, with its values in `given`; empty: model_scale counts
-  JointVector factors;      ///< applied last, to each link's and its joint's parameters; n or empty (all 1)
-  ParameterVector given{};  ///< 13 n, or empty
+  double model_scale = 0.0;  ///< 0: the controller starts without knowledge; 1: with the robot's model
+  std::string file;          ///< theta by name in YAML, with its values in `given`; empty: model_scale counts
+  JointVector factors;       ///< applied last, to each link's and its joint's parameters; n or empty (all 1)
+  ParameterVector given{};   ///< 13 n, or empty
 };
 
-/// The differences between the plant and the controller's model, and the noise and delay between the two.
+/// The differences between the plant (the simulated arm) and the controller's model of it, sensor noise, and
+/// torque delay.
 struct PlantConditions {
   double position_noise = 0.0;   ///< standard deviation, white, per period [rad, m]
   double velocity_noise = 0.0;   ///< [rad/s, m/s]
@@ -54,13 +55,14 @@ struct PlantConditions {
   JointVector rotor_factors;        ///< on each joint's rotor inertia; n or empty
 };
 
-/// The camera by which the controller sees the targets if it does not know their motion.
+/// The camera that measures the positions of the gaze targets. The controller estimates their motion from
+/// these noisy positions.
 struct Camera {
   double noise = 0.0;       ///< standard deviation of each coordinate, white, per period [m]
   double bandwidth = 15.0;  ///< of the filter that estimates position, velocity, acceleration [rad/s]
 };
 
-/// The name of all scenarios together in files of results. No scenario may have it.
+/// The name that result files use for all scenarios together. No scenario may have it.
 inline constexpr const char* kAllScenarios = "all";
 
 struct Scenario {
@@ -81,7 +83,7 @@ struct Scenario {
   bool holds_end = false;  ///< the task is to stay where the planned motion ended, and aims at nothing
   std::vector<NamedPath> targets;  ///< of the gaze; empty: `orientation` gives the tool's orientation
   std::optional<ToolOrientation> orientation;
-  double switch_every = 0.0;         ///< time between target switches [s]; 0: none, or as `schedule` says
+  double switch_every = 0.0;         ///< time between target switches [s]; 0: none, or those of `schedule`
   std::vector<TargetTurn> schedule;  ///< rising; the first target before it; empty: `switch_every` counts
   std::optional<Camera> camera;      ///< none: the controller knows the targets' motion
   std::vector<MovingObstacle> obstacles;
@@ -94,7 +96,8 @@ struct Scenario {
   bool pushed = false;     ///< the scenario tests a stability margin, and only that margin is judged in it
 
   int periods() const;
-  /// Returns true if the controller reaches the scenario's task: false if a planned motion lasts to the end.
+  /// Returns true if the arm begins the task before the scenario ends. It is false if a planned motion, which
+  /// comes first, lasts to the end.
   bool has_task() const;
   /// Returns true if the active target changes during the scenario, its first period included.
   bool switches_target() const;
@@ -108,19 +111,20 @@ struct Scenario {
 /// from other files first, and the file's own keys replace those as a whole. Throws InputError.
 Scenario load_scenario(const std::string& name_or_path);
 
-/// Returns the gains as a rollout of the scenario uses them. The gains of the loop are multiplied by
-/// loop_gain, and a missing joint_space_goal is taken from the scenario. Throws InputError if neither has
-/// one.
+/// Returns the gains that a rollout of the scenario uses. The gains that scale the feedback loop are
+/// multiplied by loop_gain, and a missing joint_space_goal is taken from the scenario. Throws InputError if
+/// neither has one and the scenario has no planned motion.
 Gains with_goal(Gains gains, const Scenario& scenario);
 
-/// Returns the real arm of the scenario: the factors applied, then payload and friction added.
+/// Returns the model of the simulated arm: the robot's model with the factors of `plant` applied, then
+/// payload and friction added.
 RobotModel plant_model(const Scenario& scenario);
 
-/// Returns the theta (13 n) that the controller starts from.
+/// Returns the theta (13 n) with which the controller starts.
 ParameterVector start_theta(const Scenario& scenario);
 
-/// Lets theta start from a file instead of the scenario's own setting. Throws InputError if the file does not
-/// fit the robot.
+/// Replaces the scenario's start value of theta by the values of a file. Throws InputError if the file does
+/// not fit the robot.
 void start_theta_from(const std::string& file, Scenario& scenario);
 
 }  // namespace armtune::internal

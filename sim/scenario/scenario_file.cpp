@@ -45,7 +45,8 @@ TaskMask read_mask(const yaml::Node* node, int joints) {
           "{} needs {} joints, but the arm has {}; {}", text, components(mask), joints,
           components(most) <= joints
               ? fmt::format("the largest possible task_mask is {}", name(most))
-              : "leave the key 'task_mask' out: the arm then follows the position as far as its joints allow"));
+              : "leave the key 'task_mask' out: the arm then follows the position as far as its joints "
+                "allow"));
     }
     return mask;
   }
@@ -140,7 +141,8 @@ bool is_one_file(const yaml::Node& turns, const yaml::Node& points) {
   if (a.path != b.path) return false;
   if (a.units.time != b.units.time || a.columns != b.columns)
     turns.fail(
-        "this entry and the path read the same file with different 'units' or 'columns'; use the same");
+        "this entry and the path read the same file with different 'units' or 'columns'; give both the same "
+        "ones");
   return true;
 }
 
@@ -160,14 +162,18 @@ void read_task(yaml::MapReader& map, Scenario& scenario) {
     const yaml::Node& targets = map.required("targets");
     scenario.targets = read_targets(targets, scenario.inputs);
     if (scenario.targets.empty())
-      targets.fail("empty; give at least one target for the gaze, or give the tool's 'orientation' instead");
+      targets.fail(
+          "the list is empty; give at least one target for the gaze, or give the tool's 'orientation' "
+          "instead");
     return;
   }
   if (const yaml::Node* targets = map.optional("targets");
       targets != nullptr && !read_targets(*targets, scenario.inputs).empty())
-    orientation->fail("cannot be combined with gaze targets; set targets to []");
+    orientation->fail("the tool's orientation cannot be combined with gaze targets; set 'targets' to []");
   if (!tracks_orientation(scenario.mask))
-    orientation->fail("has no effect with a task_mask of position; take it out, or give a larger task_mask");
+    orientation->fail(
+        "the tool's orientation has no effect with 'task_mask: position'; remove it, or give a larger "
+        "task_mask");
   scenario.orientation = read_orientation(*orientation, scenario.path, scenario.inputs);
   if (scenario.orientation->approach && scenario.mask != TaskMask::kPose)
     orientation->fail(
@@ -224,8 +230,9 @@ Scenario load_scenario(const std::string& name_or_path) {
   scenario.name = stem(path);
   check_result_name(scenario.name, path);
   if (scenario.name == kAllScenarios)
-    throw InputError(fmt::format("{}: the name '{}' is reserved for all scenarios together; rename the file",
-                                 path, kAllScenarios));
+    throw InputError(
+        fmt::format("{}: the name '{}' is reserved, because it means all scenarios together; rename the file",
+                    path, kAllScenarios));
   scenario.source = path;
   scenario.description = map.string("description", "");
   const yaml::Node& robot_node = map.required("robot");
@@ -238,7 +245,7 @@ Scenario load_scenario(const std::string& name_or_path) {
   const yaml::Node& period = map.required("control_period");
   scenario.control_period = period.as_number();
   if (scenario.control_period < 1e-5 || scenario.control_period > 0.1) {
-    period.fail(fmt::format("{} s; it must lie in 1e-5 .. 0.1", scenario.control_period));
+    period.fail(fmt::format("the value is {} s; it must lie in 1e-5 .. 0.1 s", scenario.control_period));
   }
   if (const yaml::Node* planned = map.optional("planned")) {
     read_planned(*planned, scenario);
@@ -252,7 +259,7 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (const yaml::Node* schedule = map.optional("schedule")) {
     scenario.schedule = read_schedule(*schedule, scenario.targets);
     if (scenario.switch_every > 0.0 && !scenario.schedule.empty())
-      schedule->fail("cannot be combined with 'switch_every'; set 'switch_every' to 0");
+      schedule->fail("a schedule cannot be combined with 'switch_every'; set 'switch_every' to 0");
   }
   if (const yaml::Node* obstacles = map.optional("obstacles"))
     scenario.obstacles = read_obstacles(*obstacles, scenario.inputs);
@@ -272,7 +279,8 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (const yaml::Node* stimulus = map.optional("stimulus")) {
     if (scenario.planned)
       stimulus->fail(
-          "a stimulus has no effect while the planned trajectory is followed; take one of the two out");
+          "a stimulus has no effect while the planned trajectory is followed; remove 'stimulus' or "
+          "'planned'");
     scenario.stimulus = read_stimulus(*stimulus, scenario.duration, scenario.control_period);
     if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.targets.empty())
       stimulus->fail("the stimulus shifts a target, but the scenario has no targets; give 'on: path'");

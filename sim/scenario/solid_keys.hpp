@@ -1,5 +1,6 @@
 #pragma once
-// Readers of the convex bodies in files: those of a cell, and those of links and tools.
+// Reads convex bodies (box, cylinder, capsule, sphere) from YAML files. They are the parts of a robot cell in
+// scenario files, and the shapes of links and tools in robot files.
 
 #include "sim/cell/solid.hpp"
 #include "sim/yaml/map_reader.hpp"

@@ -1,5 +1,6 @@
 #pragma once
-// The joint positions at the start of a task, on its path, and those at the start of a simulation, off it.
+// Computes joint positions for scenarios that do not give them: those with the tool on the start of its path,
+// and those away from it from which a simulation begins.
 
 #include "core/control/pose_search.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -11,13 +12,14 @@ namespace armtune::internal {
 ToolGoal tool_goal_at(const Scenario& scenario, double time);
 
 /// Returns the joint positions (n) for the beginning of the task. The tool is on the path at
-/// scenario.start_time and looks at the target that is active then. Among such positions it returns the one
-/// whose walk along the task has the largest minimum of manipulability, away from the joint limits. Throws
-/// InputError naming the place if there are none.
+/// scenario.start_time and points at the target that is active then, or has the desired orientation. Among
+/// such positions, this returns the one from which the arm follows the task best: with the largest minimum of
+/// manipulability, away from the joint limits (path_walk.hpp). Throws InputError naming the place if there
+/// are none.
 JointVector best_start_of_task(const Scenario& scenario);
 
-/// Returns a position (n) in which a simulation begins if none is given. It is off `goal` by 20 degrees or
-/// 0.1 m, a tenth of the joint's range at most, towards the middle of each joint's limits.
+/// Returns joint positions (n) in which a simulation begins if none are given. Each joint differs from `goal`
+/// by 20 degrees or 0.1 m, a tenth of its range at most, towards the middle of its limits.
 JointVector off_goal(const RobotModel& robot, const JointVector& goal);
 
 }  // namespace armtune::internal

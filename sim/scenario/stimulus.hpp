@@ -1,7 +1,7 @@
 #pragma once
-// A signal that is added to a set point to measure a loop's response to it: a step, or a sum of sines. The
-// controller receives the shifted positions without the velocity of the shift, as with a stream of set points
-// from elsewhere. Feed-forward would hide the feedback loop.
+// A test signal (stimulus) that is added to a set point to measure the response of the control loop: a step,
+// or a sum of sines. The controller receives the shifted positions, but not the velocity of the shift. With
+// the velocity, feed-forward would hide the response of the feedback loop.
 
 #include <variant>
 #include <vector>
@@ -45,8 +45,8 @@ struct Stimulus {
   Vec3 at(double t) const { return value(t) * direction; }
 };
 
-/// Returns true if t, a multiple of the control period, has reached `event`. A tolerance keeps rounding of
-/// k * dt from deciding.
+/// Returns true if t, a multiple k * dt of the control period, has reached `event` [s]. A tolerance makes the
+/// result independent of the rounding of k * dt.
 inline bool reached(double t, double event) {
   constexpr double kRounding = 1e-9;  // far below any control period, far above 1 ulp of hours
   return t >= event - kRounding;

@@ -30,8 +30,9 @@ Step read_step(const yaml::Node& node, double duration, double control_period, V
   const Step step{offset.norm(), at.as_number()};
   if (step.at < 0.0 || step.at > duration - control_period) {
     at.fail(fmt::format(
-        "{} s; it must lie in 0 .. {} s, which is one control period before the end of the scenario", step.at,
-        duration - control_period));
+        "the step is at {} s; it must lie in 0 .. {} s, which is one control period before the end of the "
+        "scenario",
+        step.at, duration - control_period));
   }
   map.finish();
   direction = offset / step.size;
@@ -43,32 +44,39 @@ std::vector<int> read_orders(const yaml::Node& node, double base_period, double 
   orders.reserve(kMostOrders);
   const double limit = 0.5 * base_period / control_period;
   for (const yaml::Node& item : node.items()) {
-    if (orders.size() == kMostOrders) node.fail(fmt::format("more than {} orders; give fewer", kMostOrders));
+    if (orders.size() == kMostOrders)
+      node.fail(fmt::format("the list has more than {} orders; give fewer", kMostOrders));
     const long order = item.as_integer();
     const long least = orders.empty() ? 1 : orders.back() + 1;
-    if (order < least) item.fail(fmt::format("order {}; orders must be at least 1 and rise", order));
+    if (order < least)
+      item.fail(
+          fmt::format("the order {} is not allowed here; orders must be at least 1 and increase", order));
     if (static_cast<double>(order) >= limit) {
       item.fail(fmt::format(
-          "order {} of the base period of {} s must be below {:.6g}, which is half the control rate", order,
-          base_period, limit));
+          "the order {} is too high; with a base period of {} s it must be below {:.6g}, which is half the "
+          "control rate",
+          order, base_period, limit));
     }
     orders.push_back(static_cast<int>(order));
   }
-  if (orders.empty()) node.fail("empty; give at least one order");
+  if (orders.empty()) node.fail("the list is empty; give at least one order");
   return orders;
 }
 
 double read_base_period(const yaml::Node& node, double duration, double control_period) {
   const double period = node.as_number();
   if (!(period >= control_period) || period > duration) {
-    node.fail(fmt::format("{} s; it must lie between the control period of {} s and the duration of {} s",
-                          period, control_period, duration));
+    node.fail(
+        fmt::format("the base period is {} s; it must lie between the control period of {} s and the "
+                    "duration of {} s",
+                    period, control_period, duration));
   }
   // Else the Fourier sums over whole base periods would leak.
   const double samples = period / control_period;
   constexpr double kRounding = 1e-6;
   if (std::abs(samples - std::round(samples)) > kRounding) {
-    node.fail(fmt::format("{} s is not a whole number of control periods of {} s", period, control_period));
+    node.fail(fmt::format("the base period is {} s; it must be a whole number of control periods of {} s",
+                          period, control_period));
   }
   return period;
 }
@@ -79,7 +87,8 @@ Multisine read_sines(const yaml::Node& node, double duration, double control_per
   Multisine sines;
   const yaml::Node& amplitude = map.required("amplitude");
   sines.amplitude = amplitude.as_number();
-  if (!(sines.amplitude > 0.0)) amplitude.fail(fmt::format("{} m; it must be > 0", sines.amplitude));
+  if (!(sines.amplitude > 0.0))
+    amplitude.fail(fmt::format("the amplitude is {} m; it must be > 0", sines.amplitude));
   sines.base_period = read_base_period(map.required("base_period"), duration, control_period);
   sines.orders = read_orders(map.required("orders"), sines.base_period, control_period);
   sines.phases = schroeder_phases(sines.orders);
@@ -88,13 +97,14 @@ Multisine read_sines(const yaml::Node& node, double duration, double control_per
   const long periods = map.integer("periods", 1);
   if (periods < 1 || periods > kMostPeriods) {
     map.required("periods").fail(
-        fmt::format("{} base periods; it must lie in 1 .. {}", periods, kMostPeriods));
+        fmt::format("the number of base periods is {}; it must lie in 1 .. {}", periods, kMostPeriods));
   }
   sines.periods = static_cast<int>(periods);
   if (!reached(duration, sines.window_end())) {
     node.fail(
-        fmt::format("from {} s on, one base period for transients and {} for the measurement end at {} s, "
-                    "after the duration of {} s; reduce 'from' or 'periods', or increase the duration",
+        fmt::format("from {} s on, one base period for transients and {} for the measurement would end at {} "
+                    "s, but the scenario lasts only {} s; reduce 'from' or 'periods', or increase the "
+                    "duration",
                     sines.from, periods, sines.window_end(), duration));
   }
   map.finish();

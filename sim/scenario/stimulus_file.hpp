@@ -1,5 +1,6 @@
 #pragma once
-// The reader of the key `stimulus` of a scenario file.
+// Reads the key `stimulus` of a scenario file. It describes a test signal (a step or a sum of sines) by which
+// the response of the control loop is measured.
 
 #include "sim/scenario/stimulus.hpp"
 #include "sim/yaml/document.hpp"

@@ -43,8 +43,8 @@ bool can_reach(const RobotModel& robot, const ToolGoal& goal) {
 }
 
 std::string place(const WalkPlace& at) {
-  return fmt::format("at {:.4g} s, path point ({:.4g}, {:.4g}, {:.4g}) m", at.time, at.tool.x(), at.tool.y(),
-                     at.tool.z());
+  return fmt::format("at {:.4g} s, at the path point ({:.4g}, {:.4g}, {:.4g}) m", at.time, at.tool.x(),
+                     at.tool.y(), at.tool.z());
 }
 
 /// Where the arm cannot have its tool at all, from where the walk lost the path on; empty: nowhere there.
@@ -81,7 +81,7 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
   if (is_clear(walk)) return {};
   if (walk.sight.value < kAtTarget) {
     return fmt::format(
-        "the tool passes too close to its gaze target: {}, {:.3g} m from it; move the path or the target",
+        "the tool passes too close to its gaze target: {}, it is {:.3g} m away; move the path or the target",
         place(walk.sight), walk.sight.value);
   }
   // A path that leaves the workspace stretches the arm into a singularity, but off one within it the damped

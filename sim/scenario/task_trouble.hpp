@@ -1,5 +1,6 @@
 #pragma once
-// Diagnosis of tasks that an arm cannot do with any gains, as one sentence with place and figure.
+// Explains why an arm cannot do the task of a scenario with any gains, in one sentence with place and number.
+// The reason is found before the first simulation, by inverse kinematics along the task (path_walk.hpp).
 
 #include <string>
 
@@ -7,22 +8,22 @@
 
 namespace armtune::internal {
 
-/// Returns the problem of a walk as one sentence with place and figure; empty if the walk is clear. The
-/// problem is one of these: the tool passes its own target, the path leaves the workspace, the walk leaves
-/// the path or a joint its limits, a singularity is passed, or two bodies touch.
+/// Returns the problem of a walk as one sentence with place and number; empty if there is none (is_clear).
+/// The problem is one of these: the tool passes too close to its target, the path leaves the workspace, the
+/// tool leaves the path, a joint leaves its limits, the arm passes a singularity, or two bodies touch.
 std::string trouble(const PathWalk& walk, const Scenario& scenario);
 
 /// The problem of a task under given gains.
 struct TaskTrouble {
   std::string text;  ///< one sentence; empty: there is no problem
-  /// True if the path itself winds a joint up until it leaves its position limits, whatever the gains.
+  /// True if a joint drifts along the path until it leaves its position limits, with any gains.
   bool winds = false;
 };
 
-/// Returns the `trouble` of the walk that begins closest to the joint_space_goal of the gains, to which
-/// leaveSingularity leads, or from the best start if none is found there. If there is no start at all, it
-/// returns that. A scenario that follows a plan has no trouble. Throws InputError if neither gains nor
-/// scenario have a goal.
+/// Walks along the task and returns the problem (trouble) that it finds. The walk begins on the path near the
+/// joint_space_goal of the gains, at which the controller's state leaveSingularity ends. If no start is found
+/// there, it begins at best_start_of_task(). If that has none either, this is the problem. Returns no problem
+/// for a scenario with a planned motion. Throws InputError if neither gains nor scenario have a goal.
 TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains);
 inline std::string task_trouble(const Scenario& scenario, const Gains& gains) {
   return find_task_trouble(scenario, gains).text;

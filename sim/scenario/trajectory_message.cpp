@@ -105,7 +105,8 @@ PointsGive given_in(const yaml::Node& point) {
   const bool velocities = numbers_in(point, "velocities") != nullptr;
   const bool accelerations = numbers_in(point, "accelerations") != nullptr;
   if (accelerations && !velocities)
-    point.fail("the point has accelerations but no velocities; give velocities too, or neither of them");
+    point.fail(
+        "the point has accelerations but no velocities; give velocities too, or leave the accelerations out");
   return accelerations ? PointsGive::kAccelerations
          : velocities  ? PointsGive::kVelocities
                        : PointsGive::kPositions;
@@ -135,7 +136,7 @@ MotionPoints load_trajectory_message(const std::string& path, const RobotModel& 
     if (given != motion.given)
       point.fail("only some points have velocities or accelerations; give them for all or for none");
     const yaml::Node* positions = numbers_in(point, "positions");
-    if (positions == nullptr) point.fail("the point has no positions");
+    if (positions == nullptr) point.fail("the point has no positions; give one for each joint");
     motion.time.push_back(time);
     motion.points.push_back({reader.values(*positions),
                              reader.values_or_zero(numbers_in(point, "velocities")),
@@ -143,8 +144,10 @@ MotionPoints load_trajectory_message(const std::string& path, const RobotModel& 
     motion.lines.push_back(static_cast<std::size_t>(point.line()));
   }
   if (motion.time.size() < 2)
-    points.fail(fmt::format("{} points; a motion needs at least two, the first of them at the arm's start",
-                            motion.time.size()));
+    points.fail(
+        fmt::format("the message has {} points; a motion needs at least two, and the first one is the arm's "
+                    "start position",
+                    motion.time.size()));
   return motion;
 }
 

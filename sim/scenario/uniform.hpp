@@ -1,6 +1,6 @@
 #pragma once
-// Uniform random numbers by armtune's own arithmetic. The standard leaves the algorithms of its distributions
-// to the library, but a seed must give the same numbers everywhere.
+// Draws uniform random numbers by armtune's own arithmetic, so that a seed gives the same numbers everywhere.
+// The distributions of the C++ standard library may differ between its implementations.
 
 #include <random>
 

@@ -1,5 +1,6 @@
 #pragma once
-// Column names of users' tables that are followed by a unit: "x [mm]", "time (s)".
+// Removes the units from column names of users' tables, such as "x [mm]" and "time (s)", and checks that they
+// agree with the units that the user declared.
 
 #include <string>
 
@@ -7,9 +8,9 @@
 
 namespace armtune::internal {
 
-/// Returns the line of column names of a table, separated by commas, as armtune calls its columns: without
-/// units, and with time as `time`. path: for messages. Throws InputError for a unit that contradicts `units`.
-/// An unknown unit beside known ones is an error too, because its column would otherwise be ignored silently.
+/// Returns a line of column names, separated by commas, with armtune's names: without units, and with `time`
+/// for the time. path: for messages. Throws InputError for a unit that contradicts `units`, and for an
+/// unknown unit beside known ones, because its column would otherwise be ignored silently.
 std::string plain_names(const std::string& line, const std::string& path, const yaml::FileUnits& units);
 
 }  // namespace armtune::internal

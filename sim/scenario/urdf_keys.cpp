@@ -31,7 +31,7 @@ GivenInertia read_inertia(yaml::MapReader& map) {
   GivenInertia given;
   const yaml::Node& mass = map.required("mass");
   given.mass = mass.as_number();
-  if (!(given.mass >= 0.0)) mass.fail(fmt::format("{} kg; it must not be negative", given.mass));
+  if (!(given.mass >= 0.0)) mass.fail(fmt::format("the mass is {} kg; it must not be negative", given.mass));
   if (const yaml::Node* center = map.optional("center")) given.center = Vec3(center->as_numbers(3).data());
   const auto m = map.required("moments").as_numbers(6);
   given.about_center << m[0], m[1], m[2],  //

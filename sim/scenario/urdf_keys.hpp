@@ -1,12 +1,12 @@
 #pragma once
-// The keys of a robot YAML that select the arm within a URDF and add what the URDF leaves out:
+// Reads those keys of a robot YAML that select the arm within a URDF and add data that the URDF lacks:
 //   base_link, tip_link: NAME
 //   tool: {xyz: [m], rpy: [rad],                               the tool frame in the tip link
 //          mass:, center:, moments:,                           what is mounted there, as under inertia
 //          shapes: [{box: [x, y, z], center: [m], rpy_deg:}]}  and its shapes (solid_keys.hpp)
 //   hold: {JOINT: rad or m}                                    joints that do not move
-//   limits: {JOINT: {lower:, upper:, velocity:, effort:}}      each may be left out; of joints that move, and
-//                                                              lower and upper of held ones
+//   limits: {JOINT: {lower:, upper:, velocity:, effort:}}      each may be left out; held joints may have
+//                                                              lower and upper only
 //   inertia: {LINK: {mass:, center: [x, y, z], moments: [ixx, ixy, ixz, iyy, iyz, izz]}}
 //   shapes: {LINK: [{capsule: {radius:, from:, to:}}, ...]}    in place of the link's collision geometry
 // Inertia is given in the link's frame, and that of a tool in the tool frame. The moments are about the
@@ -17,13 +17,14 @@
 
 namespace armtune::internal {
 
-/// Reads these keys. Throws InputError with file and line. Whether the names are those of the URDF is checked
-/// by the reader of the URDF.
+/// Reads these keys. Throws InputError with file and line. It does not check whether the names exist in the
+/// URDF; the reader of the URDF does.
 UrdfOptions read_urdf_options(yaml::MapReader& map);
 
-/// Returns a robot YAML, or lines to add to one, with an empty value for everything that is missing. Reading
-/// it reports each empty value with its line. An inertia that no rigid body can have is replaced by the
-/// nearest possible one. urdf: named at the top if it is not empty.
+/// Returns a robot YAML, or lines to add to one, with an empty value for everything that is missing. The user
+/// fills in the values; reading the file reports each empty value with its line. An inertia that no rigid
+/// body can have is replaced by the nearest possible one. urdf: path for the key `urdf` at the top; empty:
+/// the text has no such key.
 std::string missing_yaml(const std::string& urdf, const MissingData& missing);
 
 }  // namespace armtune::internal

@@ -1,6 +1,7 @@
 #pragma once
-// A user's table as CSV. Its cells are separated by commas, semicolons, tabs or blanks. Units other than SI
-// are declared where the file is named. So are the columns of a file with other column names, or with none.
+// Reads a table of numbers from a user's CSV file. Its cells are separated by commas, semicolons, tabs or
+// blanks. A scenario that refers to the file can declare units other than SI, and the names of the columns if
+// the file has other names or none.
 
 #include <string>
 #include <vector>
@@ -11,21 +12,21 @@
 
 namespace armtune::internal {
 
-/// A file, and the meaning of its numbers.
+/// The path of a table, with its units and column names.
 struct UserTable {
   std::string path;
   yaml::FileUnits units = {};
   /// Column names in place of the file's own line of names, if it has one. Empty: the file's own names.
   std::vector<std::string> columns = {};
-  bool has_units = false;  ///< units were given
+  bool has_units = false;  ///< true if units were declared
 
   /// Returns true if units or columns were given.
   bool is_described() const { return has_units || !columns.empty(); }
 };
 
 /// Reads the keys file, units and columns of a map. The caller reads the map's other keys. The path is
-/// relative to the folder of the file that names it. units: the kinds that may be given, as in
-/// read_file_units. Throws InputError with file, line and key.
+/// relative to the folder of the file that contains it. units: the kinds of units that may be declared, such
+/// as "time angle" (read_file_units). Throws InputError with file, line and key.
 UserTable read_user_table(yaml::MapReader& map, const char* units);
 
 /// The contents of the file, and its name in messages.
@@ -34,7 +35,7 @@ struct ParsedTable {
   std::string name;
 };
 
-/// The case in which a line of column names is read.
+/// The treatment of column names: they are read as written, or converted to lower case.
 enum class ColumnNames { kAsWritten, kInLowerCase };
 
 /// Reads the file. key, columns: how a scenario would name the file and its columns ("waypoints", "time, x,

@@ -1,6 +1,7 @@
 #pragma once
-// The extremes of a walk along a task: where it comes closest to singularities, joint limits, the floor and
-// the arm itself, and the effort of holding the arm still.
+// Collects the worst values of a walk, in which an arm follows a task by inverse kinematics (path_walk.hpp).
+// They show where the arm comes closest to singularities, joint limits, the floor and itself, and where
+// holding it still takes the most torque.
 
 #include <limits>
 #include <optional>
@@ -11,13 +12,14 @@
 
 namespace armtune::internal {
 
-/// A moment of a walk.
+/// A value of a walk, with the time and the point of the path at which it occurred.
 struct WalkPlace {
   double time = 0.0;         ///< [s]
   Vec3 tool = Vec3::Zero();  ///< position on the path, base frame [m]
   double value = 0.0;
 };
 
+/// The extremes of one walk.
 struct PathWalk {
   /// The initial value of a minimum.
   static constexpr double kUnseen = std::numeric_limits<double>::infinity();
@@ -35,30 +37,29 @@ struct PathWalk {
                  kUnseen};  ///< smallest distance of the tool from the arm's first n - 2 joints [m]
   /// Smallest distances of the arm from itself and its cell; infinite in a scenario without a cell.
   LeastClearances nearest;
-  WalkPlace load;  ///< largest share of a joint's effort limit for holding the arm still
+  WalkPlace load;  ///< largest fraction of an effort limit that holding the arm still takes
   double largest_manipulability = 0.0;
-  int joint = 0;       ///< joint with the smallest margin
-  int loaded = 0;      ///< joint with the largest load
-  long steps = 0;      ///< steps that were walked
-  double ended = 0.0;  ///< [s]
+  int joint = 0;       ///< index of the joint with the smallest margin
+  int loaded = 0;      ///< index of the joint with the largest load
+  long steps = 0;      ///< number of steps of the walk
+  double ended = 0.0;  ///< time at which the walk ended [s]
 };
 
 /// Returns the height of a point of the base frame above that frame's origin, against gravity [m].
 double height_of(const Vec3& point, const RobotModel& robot);
 
-/// Replaces `found` by `place` unless the value of `place` is at least as large. It is also replaced if
-/// either value is NaN.
+/// Replaces `found` by `place` if the value of `place` is smaller, or if either value is NaN.
 void take_smaller(const WalkPlace& place, WalkPlace& found);
 
-/// A collector of the extremes of a walk, place by place.
+/// Updates the extremes of a walk in each of its steps.
 class WalkExtremes {
  public:
   /// off_path: distance from the path [m] above which the tool counts as off it. The scenario's robot must
   /// outlive this object.
   WalkExtremes(const Scenario& scenario, double off_path);
 
-  /// Updates `walk`. arm: measured at joint positions q (n) at `time` [s]; tool: position on the path at that
-  /// time [m].
+  /// Updates `walk` with one step. arm: kinematics at joint positions q (n), reached at `time` [s]. tool:
+  /// desired position on the path at that time [m].
   void see(double time, const Vec3& tool, const MeasuredArm& arm, const JointVector& q, PathWalk& walk);
 
  private:

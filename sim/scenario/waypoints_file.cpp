@@ -89,8 +89,8 @@ PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {
   for (std::size_t k = 0; k < knots.size(); ++k) {
     if (knots[k].velocity.norm() <= kFastest && knots[k].acceleration.norm() <= kFastest) continue;
     throw InputError(fmt::format(
-        "{}:{}: the path has {:.3g} m/s and {:.3g} m/s^2 here; at most {:.0e} of each is allowed: give it "
-        "more time",
+        "{}:{}: the path has {:.3g} m/s and {:.3g} m/s^2 here; at most {:.0e} of each is allowed: leave more "
+        "time between the rows",
         path, line_of(k), knots[k].velocity.norm(), knots[k].acceleration.norm(), kFastest));
   }
   return {time, knots, false};
@@ -124,7 +124,7 @@ ToolOrientation load_orientations(const UserTable& waypoints) {
     if (!(knot.velocity.norm() <= kFastest && knot.acceleration.norm() <= kFastest)) {
       throw InputError(fmt::format(
           "{}:{}: the rotation has {:.3g} rad/s and {:.3g} rad/s^2 here; at most {:.0e} of each is allowed: "
-          "give it more time",
+          "leave more time between the rows",
           path, line_of(k), knot.velocity.norm(), knot.acceleration.norm(), kFastest));
     }
   }

@@ -1,8 +1,8 @@
 #pragma once
-// Waypoints as CSV: time [s], x, y, z [m, base frame] of a point. For a tool's poses, the quaternion qw, qx,
-// qy, qz is beside them, or alone. Cells are separated by commas, semicolons, tabs or blanks, and names may
-// have capitals. Other units, and the columns of a file without column names, are declared where the file is
-// named.
+// Reads the waypoints of a path from a user's CSV file, with the columns time [s], x, y, z [m, base frame].
+// Waypoints of a tool may have an orientation, in the columns qw, qx, qy, qz of a quaternion, with or without
+// the position. Cells are separated by commas, semicolons, tabs or blanks, and names may have capitals. A
+// scenario that refers to the file can declare other units, and the columns of a file without column names.
 
 #include "core/trajectory/position_spline.hpp"
 #include "core/trajectory/tool_orientation.hpp"
@@ -14,13 +14,13 @@ namespace armtune::internal {
 /// [time, x, ...]}. Throws InputError with file, line and key.
 UserTable read_waypoints_node(const yaml::Node& node);
 
-/// Reads the cubic spline through x, y, z. It is at rest before its beginning and after its end, where its
-/// acceleration jumps. of_poses: qw, qx, qy, qz may be beside them. Throws InputError naming file, line and
-/// column.
+/// Reads the positions and returns the cubic spline through them. It is at rest before its beginning and
+/// after its end, where its acceleration jumps. of_poses: true if the file may also have the columns of an
+/// orientation. Throws InputError naming file, line and column.
 PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses);
 
-/// Reads the rotation through qw, qx, qy, qz (turning_through). x, y, z may be beside them. Throws InputError
-/// naming file, line and column.
+/// Reads the orientations and returns the rotation through them (turning_through). The file may also have the
+/// columns x, y, z. Throws InputError naming file, line and column.
 ToolOrientation load_orientations(const UserTable& waypoints);
 
 }  // namespace armtune::internal

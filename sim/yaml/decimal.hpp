@@ -1,5 +1,5 @@
 #pragma once
-// Decimal text of floating-point numbers that every reader of YAML takes for a floating-point number.
+// Formats floating-point numbers as decimal text that every YAML reader takes for a floating-point number.
 
 #include <string>
 

@@ -44,7 +44,8 @@ class TreeBuilder final : public YAML::EventHandler {
     std::string what = "not valid YAML: " + error.msg;
     const bool unclosed =
         error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW || error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW;
-    if (unclosed && !open_.empty()) what += fmt::format("; opened on line {}", open_.back().node.line_);
+    if (unclosed && !open_.empty())
+      what += fmt::format("; its bracket was opened on line {}", open_.back().node.line_);
     fail_at(*file_, line, {}, what);
   }
 

@@ -1,6 +1,7 @@
 #pragma once
-// The strict YAML reader through which every input file of armtune is read. An error in a file is reported in
-// one line that says where it is, what is wrong and what is expected.
+// A strict reader for armtune's own YAML files. An error is reported in one line with its place in the file,
+// what is wrong and what is expected. Files that were not written for armtune, such as ROS parameter files,
+// are read by placed_value.hpp.
 
 #include <cstddef>
 #include <memory>

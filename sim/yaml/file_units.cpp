@@ -65,8 +65,9 @@ bool check_unit(const std::string& unit, const FileUnits& units, const std::stri
                                         : units.torque;
   if (said == found->factor) return true;
   throw InputError(fmt::format(
-      "{} has the unit {}; write this unit beside the file's name: {{file: ..., units: {{{}: {}}}}}", where,
-      unit, found->key, unit));
+      "{} has the unit {}; declare this unit together with the file's name: {{file: ..., units: {{{}: "
+      "{}}}}}",
+      where, unit, found->key, unit));
 }
 
 }  // namespace armtune::internal::yaml

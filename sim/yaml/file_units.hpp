@@ -1,5 +1,6 @@
 #pragma once
-// The units that a user declares for the numbers in a table, and their conversion to SI.
+// Reads the units that a user declares for the numbers in a CSV file, such as {time: ms, length: mm}, and
+// converts them to factors to SI units.
 
 #include "sim/yaml/document.hpp"
 
@@ -18,8 +19,9 @@ struct FileUnits {
 /// InputError with file, line and key for any other key.
 FileUnits read_file_units(const Node& node, const char* allowed);
 
-/// Returns true if `unit`, the unit of a column, is one that read_file_units accepts and agrees with `units`,
-/// and false if it is not such a unit. Throws InputError that begins with `where` if it contradicts `units`.
+/// Compares the unit of a column with the declared ones. Returns true if `unit` agrees with `units`, and
+/// false if read_file_units does not accept `unit`. Throws InputError that begins with `where` if `unit`
+/// contradicts `units`.
 bool check_unit(const std::string& unit, const FileUnits& units, const std::string& where);
 
 }  // namespace armtune::internal::yaml

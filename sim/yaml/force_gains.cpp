@@ -41,7 +41,7 @@ ForceGains force_gains(const Node& node, const std::vector<std::string>& joints)
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   }
   if (points.size() != n) {
-    node.fail(fmt::format("the list has {} lists; expected {} (one for each force point), or {} numbers",
+    node.fail(fmt::format("the list has {} entries; expected {} lists (one for each joint), or {} numbers",
                           points.size(), n, n));
   }
   ForceGains gains(static_cast<Eigen::Index>(n * n));
@@ -49,7 +49,9 @@ ForceGains force_gains(const Node& node, const std::vector<std::string>& joints)
   for (const Node* point : points) {
     if (is_number(point)) {
       point->fail(fmt::format(
-          "a number among lists; give every force point one number, or every force point a list of {}", n));
+          "this is a number among lists; give one number for every joint, or one list of {} numbers for "
+          "every joint",
+          n));
     }
     gains.segment(row, static_cast<Eigen::Index>(n)) = joint_values(*point, joints);
     row += static_cast<Eigen::Index>(n);

@@ -1,6 +1,6 @@
 #pragma once
-// The gains of the forces by which obstacles repel the arm, as YAML: one number per force point, or one list
-// of n numbers per force point.
+// Reads the gains of the virtual forces by which obstacles repel the arm from YAML. The forces act at points
+// of the arm. There is one number per point, or one list of n numbers (one for each joint) per point.
 
 #include "core/control/force_gains.hpp"
 #include "sim/yaml/document.hpp"

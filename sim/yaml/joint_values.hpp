@@ -1,5 +1,5 @@
 #pragma once
-// One number per joint as YAML: a list in joint order, or a map by joint name.
+// Reads one number per joint from YAML: from a list in joint order, or from a map by joint name.
 
 #include "armtune/error.hpp"
 #include "core/common/types.hpp"

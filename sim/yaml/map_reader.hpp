@@ -1,6 +1,6 @@
 #pragma once
-// A reader of YAML maps that records every key that is requested, so that any other key in the map is
-// reported as unknown.
+// Reads a YAML map key by key and reports keys that no code has read as unknown. A misspelt key in a user's
+// file is therefore an error and is never ignored silently.
 
 #include <initializer_list>
 #include <string>

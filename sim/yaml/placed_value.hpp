@@ -1,7 +1,7 @@
 #pragma once
-// A YAML file that was not written for armtune, read with the position of each number in its text. A number
-// can then be changed while the rest of the file stays as it is. Anchors, aliases and merge keys are
-// resolved.
+// Reads a YAML file that was not written for armtune, such as a ROS parameter file, with the position of each
+// number in its text. A number can then be changed while the rest of the file stays as it is. Anchors,
+// aliases and merge keys are resolved.
 
 #include <cstddef>
 #include <memory>
@@ -19,7 +19,7 @@ using Placed = std::shared_ptr<const PlacedValue>;
 struct PlacedEntry {
   std::string key;  ///< in a map
   Placed value;
-  bool alias = false;  ///< true if an alias or a merge key put it here, and it is written elsewhere
+  bool alias = false;  ///< true if it is written elsewhere, and is here by an alias or a merge key
 };
 
 struct PlacedValue {

@@ -1,6 +1,6 @@
 #pragma once
-// Texts written as YAML so that armtune's reader and every other reader return the same text, whatever it
-// contains.
+// Writes texts, such as names and paths, as YAML. Whatever a text contains, armtune's reader and every other
+// YAML reader return the same text.
 
 #include <string>
 #include <string_view>

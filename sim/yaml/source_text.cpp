@@ -39,7 +39,8 @@ void check_characters(std::string_view text, const std::string& file) {
     if (c == '\n') ++line;
     if (!is_control(c) || c == '\n' || c == '\r' || c == '\t') continue;
     fail_at(file, line, {},
-            fmt::format("control character 0x{:02x}; expected text in UTF-8", static_cast<unsigned>(c)));
+            fmt::format("this line contains the control character 0x{:02x}; remove it",
+                        static_cast<unsigned>(c)));
   }
 }
 

@@ -50,7 +50,7 @@ TEST_F(ExportCommand, OfATunedRunSaysWhereItsGainsCameFromAndReadsBackToTheBit) 
                                 testing::Not(HasSubstr("# joint_velocity/max_ratio")),
                                 testing::Not(HasSubstr("# objective"))));
   };
-  without_figures({"export", run + "/start"}, "not apply to these gains, which are in another");
+  without_figures({"export", run + "/start"}, "not apply to these gains, which are from another file");
   std::string urdf = test::read_text(ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf");
   urdf.replace(urdf.find("<mass value=\""), 13, "<mass value=\"1");
   without_figures({"export", run, "--robot", files_.write("heavier.urdf", urdf)},

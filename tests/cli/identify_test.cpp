@@ -99,7 +99,7 @@ TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
   const Finished fades =
       run_program({"excite", "ur10", "--duration", "3", "--fade", "2", "--out", folder / "out"});
   EXPECT_EQ(fades.exit_code, 2);
-  EXPECT_THAT(fades.err, HasSubstr("two fades of 2 s do not fit in 3 s"));
+  EXPECT_THAT(fades.err, HasSubstr("2 s each do not fit in a duration of 3 s"));
   // Of the UR5e's joint names, and another arm.
   const Finished other =
       run_program({"excite", "ur5e", "--scenario", "moving_target", "--out", folder / "out"});

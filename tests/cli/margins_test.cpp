@@ -38,8 +38,9 @@ TEST_F(MarginsProgram, WritesTheSameFileWithAnyNumberOfWorkers) {
   const Finished one = margins({"--out", folder_ / "one", "--workers", "1"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
   EXPECT_EQ(one.err, "");
-  EXPECT_THAT(one.out, AllOf(HasSubstr("torque_delay [periods]"), HasSubstr("five_seconds"),
-                             HasSubstr("gain_factor fails at "), HasSubstr("margins.csv, run.yaml")));
+  EXPECT_THAT(one.out,
+              AllOf(HasSubstr("torque_delay [periods]"), HasSubstr("five_seconds"),
+                    HasSubstr("the closed loop fails at gain_factor "), HasSubstr("margins.csv, run.yaml")));
   const Finished two = margins({"--out", folder_ / "two", "--workers", "2"});
   ASSERT_EQ(two.exit_code, 0) << two.err;
   const std::string csv = test::read_text(folder_ / "one/margins.csv");
@@ -52,7 +53,7 @@ TEST_F(MarginsProgram, WritesTheSameFileWithAnyNumberOfWorkers) {
 TEST_F(MarginsProgram, SaysSoWhereNotEvenTheNominalStands) {
   const Finished strict = margins({"--limit", "joint_velocity/max_ratio<=0.01"});
   EXPECT_EQ(strict.exit_code, 3) << strict.err;
-  EXPECT_THAT(strict.out, AllOf(HasSubstr("none"), HasSubstr("five_seconds fails without any change"),
+  EXPECT_THAT(strict.out, AllOf(HasSubstr("none"), HasSubstr("fails in five_seconds without any change"),
                                 HasSubstr("breaks joint_velocity/max_ratio <= 0.01")));
 }
 

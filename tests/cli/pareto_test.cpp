@@ -62,7 +62,7 @@ TEST(ParetoCommand, SaysThatItsTimeWasUsedUp) {
       {"pareto", short_of_time.path(), "--levels", "2", "--max-evaluations", "18", "--out", folder});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_THAT(done.out, testing::AllOf(HasSubstr("budget: 18 evaluations or 1e-06 minutes"),
-                                       HasSubstr("time used up after 1 evaluations")));
+                                       HasSubstr("max_minutes was reached after 1 evaluations")));
   EXPECT_THAT(test::read_text(folder + "/run.yaml"), HasSubstr("ended: \"time used up\""));
 }
 

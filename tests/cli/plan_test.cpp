@@ -111,8 +111,8 @@ TEST(Plan, AnInfeasibleTaskEndsWithThreeAndNamesTheLimitInTheWay) {
       planned.out,
       AllOf(ContainsRegex(
                 "infeasible: the limits allow no less than 0\\.5[0-9]+ s, but the duration is 0\\.4 s"),
-            HasSubstr("held back by:"),
-            ContainsRegex("velocity of [a-z0-9_]+: -?[0-9.]+ rad/s, [0-9.]+ % of the knots, ")));
+            HasSubstr("limits that prevent a shorter time:"),
+            ContainsRegex("velocity of [a-z0-9_]+: -?[0-9.]+ rad/s, at [0-9.]+ % of the knots, ")));
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 

@@ -272,7 +272,7 @@ TEST_F(Ranks, AHungRankIsToldApartFromASlowOne) {
   EXPECT_EQ(times_said(hung.err, "armtune: waiting for rank 1 on "), 1U) << hung.err;
   EXPECT_EQ(times_said(hung.err, "armtune: failed: "), 1U) << hung.err;
   EXPECT_THAT(hung.err,
-              AllOf(HasSubstr("rank 1 on "), HasSubstr("gave no answer for 15 s"), HasSubstr("it hangs")));
+              AllOf(HasSubstr("rank 1 on "), HasSubstr("has not answered for 15 s"), HasSubstr("it hangs")));
   EXPECT_GE(rows(files / "run/evaluations.csv"), 2);
 
   const Finished slow = run(2, tune(files.path(), files / "slow", {"--rollout-deadline", "0.001"}));
@@ -385,7 +385,7 @@ TEST_F(Ranks, OtherCommandsDoNotUseThem) {
   for (const Strings& command : {Strings{"simulate", "moving_target"}, Strings{"robot", "ur10"}}) {
     const Finished refused = run(2, command);
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_EQ(times_said(refused.err, command.front() + " does not use ranks"), 1U) << refused.err;
+    EXPECT_EQ(times_said(refused.err, command.front() + " does not use MPI ranks"), 1U) << refused.err;
     EXPECT_EQ(refused.out, "");
   }
   EXPECT_EQ(run(1, {"robot", "ur10"}).exit_code, 0) << "one rank is a program like any other";

@@ -77,7 +77,7 @@ TEST_F(Report, OfASimulationAndAComparison) {
   const Finished cut = run_program({"report", files_ / "run"});
   EXPECT_EQ(cut.exit_code, 0);
   EXPECT_THAT(cut.err,
-              testing::AllOf(HasSubstr("rollout_short.csv"), HasSubstr("of 8 s"), HasSubstr("cut off")));
+              testing::AllOf(HasSubstr("rollout_short.csv"), HasSubstr("of 8 s"), HasSubstr("ends there")));
   std::filesystem::remove(recording);
   EXPECT_THAT(run_program({"report", files_ / "run"}).err,
               testing::AllOf(HasSubstr("rollout_short.csv"), HasSubstr("is missing")));

@@ -117,7 +117,7 @@ TEST(Resume, AnInterruptedNativeSearchLeavesSimbodysFigures) {
   program.interrupt();
   const Finished ended = program.wait();
   EXPECT_EQ(ended.exit_code, 130) << ended.err;
-  EXPECT_THAT(test::read_text(files / "run/gains.yaml"), testing::Not(HasSubstr("not yet judged")));
+  EXPECT_THAT(test::read_text(files / "run/gains.yaml"), testing::Not(HasSubstr("not yet simulated")));
   ASSERT_EQ(run_program({"simulate", files / "short.yaml", files / "short_realistic.yaml", "--gains",
                          files / "run/gains.yaml", "--out", files / "again"})
                 .exit_code,

@@ -204,8 +204,8 @@ TEST(TuneCommand, OnManyArmsItReportsTheMeasureAndTheScenariosOwnArmApart) {
   const Finished tuned = run_program({"tune", files.path(), "--out", files / "run", "--workers", "2",
                                       "--max-evaluations", "4", "--no-analysis"});
   ASSERT_TRUE(tuned.exit_code == 0 || tuned.exit_code == 3) << tuned.err;
-  EXPECT_THAT(tuned.out,
-              testing::AllOf(HasSubstr("(worst of 3 arms each)"), HasSubstr("The nominal arm alone")));
+  EXPECT_THAT(tuned.out, testing::AllOf(HasSubstr("(worst of 3 arms in each scenario)"),
+                                        HasSubstr("The nominal arm alone")));
   const auto robust = test::read_csv(files / "run/robust_errors.csv");
   const auto own = test::read_csv(files / "run/errors.csv");
   const auto journal = test::read_csv(files / "run/evaluations.csv");

@@ -121,8 +121,8 @@ TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {
   files_.write("quick_switch.yaml", "base: target_switch\nduration: 6\nswitch_every: 3\n");
   EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("has changed"), HasSubstr("--scenarios")));
   fs::rename(scenario_, files_ / "away.yaml");
-  EXPECT_THAT(refused({files_ / "run"}),
-              AllOf(HasSubstr("'quick_switch'"), HasSubstr("not there"), HasSubstr("--scenarios FILE")));
+  EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("'quick_switch'"), HasSubstr("no longer exists"),
+                                               HasSubstr("--scenarios FILE")));
   fs::remove(files_ / "run/run.yaml");
   EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("is not bundled"), HasSubstr("--scenarios FILE")));
   EXPECT_THAT(refused({files_ / "run", "--scenarios", "moving_target"}),

@@ -1,6 +1,6 @@
 #pragma once
-// The program's commands. Each function adds its command to the command line; when the command runs, it
-// writes its exit code into `exit_code`.
+// Declares the commands of the program armtune, such as `armtune tune`. Each function adds one command to the
+// command line parser. When the command runs, it writes its exit code into `exit_code`.
 
 namespace CLI {
 class App;

@@ -74,8 +74,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       "compare", "Simulate gain sets in the same scenarios; print one table, with ratios to the first set");
   command->add_option("RUN_OR_GAINS", args->sets, "run folders, gains files or bundled gains")->required();
   command->add_option("--scenarios", args->scenarios,
-                      "scenarios to simulate (default: those of the first run folder's study, else those of "
-                      "the bundled study ur10_gaze)");
+                      "scenarios to simulate (default: all scenarios in the study of the first given run "
+                      "folder; without a run folder, those of the bundled study ur10_gaze)");
   CLI::Option* stepper = add_stepper_option(*command, args->stepper);
   CLI::Option* workers = command->add_option("--workers", settings.workers, "number of threads")
                              ->check(CLI::Range(1, 1024))
@@ -86,12 +86,17 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   CLI::Option* all = command->add_flag("--all-metrics", args->all_metrics,
                                        "print every metric instead of only the most important ones");
   CLI::Option* folder = command->add_option(
-      "--out", settings.folder, "new folder for comparison.csv, errors_<set>.csv and report.html");
+      "--out", settings.folder,
+      "new folder for comparison.csv, errors_<set>.csv and report.html (default: no files)");
   CLI::Option* gains = command->add_flag("--gains", args->gains_only,
-                                         "print the gains that differ side by side, without a simulation");
+                                         "print only the gains that differ, side by side; nothing is "
+                                         "simulated");
   for (CLI::Option* of_simulation : {stepper, workers, deadline, endurance, all, folder})
     gains->excludes(of_simulation);
-  command->add_option("--robot", args->robot, "the arm that the gains are for (default: the scenarios' arm)")
+  command
+      ->add_option("--robot", args->robot,
+                   "arm that the gains are made for: a bundled robot, a robot YAML or a URDF (default: the "
+                   "arm of the first scenario)")
       ->needs(gains);
   command->footer([] {
     return std::string("Example:\n  armtune compare published extended_tuned --scenarios fixed_target\n");

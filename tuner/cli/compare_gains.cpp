@@ -13,7 +13,7 @@
 namespace armtune::internal::cli {
 
 void say_gains_difference(const std::vector<std::string>& sets, const RobotModel& robot, bool guessed) {
-  if (sets.size() < 2) throw InputError("--gains: compares gain sets; name two or more");
+  if (sets.size() < 2) throw InputError("--gains compares gain sets with each other; name two or more");
   const std::vector<std::string> labels = set_labels(sets);
   const auto joints = joint_names(robot);
   std::vector<NamedGains> named;
@@ -23,7 +23,8 @@ void say_gains_difference(const std::vector<std::string>& sets, const RobotModel
     } catch (const yaml::OtherJoints& e) {
       if (!guessed) throw;
       throw InputError(
-          fmt::format("{}. The gains were read for an arm with {} joints; name another arm with --robot",
+          fmt::format("{}. The gains were read for an arm with {} joints; if they are for another arm, name "
+                      "it with --robot",
                       e.what(), joints.size()));
     }
   }

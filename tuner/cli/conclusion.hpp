@@ -1,5 +1,6 @@
 #pragma once
-// The end of a command: prints its verdict and turns it into an exit code.
+// Ends a command: prints the verdict, which is the result of all simulation checks on the gains, and converts
+// it to an exit code.
 
 #include "tuner/verdict/verdict.hpp"
 

@@ -11,10 +11,11 @@ namespace armtune::internal::cli {
 
 void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inputs, bool required) {
   CLI::Option* robot = command.add_option(
-      "--robot", inputs.robot, "the arm: an expanded URDF, a robot YAML, or a bundled robot such as ur5e");
+      "--robot", inputs.robot,
+      "the arm: a URDF without xacro macros, a robot YAML, or a bundled robot such as ur5e");
   CLI::Option* controllers = command.add_option(
       "--controllers", inputs.controllers,
-      "ROS parameter file with a joint_trajectory_controller, unmodified from a ROS package");
+      "ROS parameter file with the joint_trajectory_controller to tune; use your file as it is");
   CLI::Option* trajectory =
       command
           .add_option(
@@ -22,14 +23,14 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
               "one or more motions for which the gains are tuned: CSV with times and joint positions, "
               "or a trajectory_msgs/JointTrajectory as YAML")
           ->expected(1, -1);
-  CLI::Option* node =
-      command.add_option("--node", inputs.node, "name of the controller, if the file has several");
+  CLI::Option* node = command.add_option(
+      "--node", inputs.node, "name of the controller to tune, if the file of --controllers has several");
   CLI::Option* rate = command
                           .add_option("--rate", inputs.rate,
                                       "control rate [Hz] (default: update_rate in the file of --controllers)")
                           ->check(CLI::Range(10.0, 10000.0));
-  CLI::Option* degrees =
-      command.add_flag("--degrees", inputs.degrees, "read angles in CSV files of --trajectory as degrees");
+  CLI::Option* degrees = command.add_flag(
+      "--degrees", inputs.degrees, "read the angles in CSV files of --trajectory in degrees (default: rad)");
   if (required) {
     for (CLI::Option* option : {robot, controllers, trajectory}) option->required();
     return;

@@ -1,6 +1,7 @@
 #pragma once
-// The options --robot, --controllers and --trajectory, which make a study from files that a robot's user
-// already has.
+// The options --robot, --controllers and --trajectory. They create a study, which is armtune's description
+// of a tuning problem, from files that a robot's user already has: the arm, the ROS parameters of its
+// controller, and motions.
 
 #include "tuner/controller_study/controller_study.hpp"
 

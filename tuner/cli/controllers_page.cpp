@@ -37,16 +37,19 @@ void add_rows(const std::vector<GainField>& fields, bool of_some, std::string& t
 }  // namespace
 
 std::string controllers_text() {
-  std::string text = "gains of every controller\n";
+  std::string text = "Gains that every controller has:\n";
   add_rows(gain_fields(), false, text);
   for (const ControllerKind* kind : controller_kinds()) {
     text += fmt::format("\n{}\n  {}\n", kind->name, kind->meaning);
     add_rows(fields_of(*kind), true, text);
   }
   return text +
-         "\n* tuned by default, within the range shown. A gains file names its controller with the key\n"
-         "'controller: NAME'; without this key it is for the adaptive controller.\n"
-         "To tune another controller than the study's: armtune tune STUDY --controller NAME\n";
+         "\n* tuned by default, within the range shown; 'the start' is the gain's start value.\n"
+         "number: one value; per joint: one for each joint; per point: one for each joint origin or link;\n"
+         "task: six values, for x y z and for the rotations about x y z.\n"
+         "A gains file names its controller with the key 'controller: NAME'; without this key it is for the\n"
+         "adaptive controller.\n"
+         "To tune another controller than the one in a study: armtune tune STUDY --controller NAME\n";
 }
 
 }  // namespace armtune::internal::cli

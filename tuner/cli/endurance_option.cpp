@@ -12,8 +12,8 @@ namespace armtune::internal::cli {
 CLI::Option* add_endurance_option(CLI::App& command, double& minutes) {
   return command
       .add_option("--endurance", minutes,
-                  "extend every scenario to this many simulated minutes and report the first limit that "
-                  "breaks (without a value: 30, simulated within seconds)")
+                  "extend every scenario to this many simulated minutes and report the first limit that is "
+                  "broken (without a value: 30 simulated minutes, which take seconds to compute)")
       ->expected(0, 1)
       ->default_str(fmt::format("{}", VerdictThresholds().minutes))
       ->option_text("[MINUTES]")
@@ -39,8 +39,10 @@ std::string endurance_table(const std::vector<EnduranceResult>& results) {
     } else {
       text += fmt::format("kept every limit for {:.4g} minutes", r.simulated / 60.0);
       if (!std::isnan(r.rms_growth)) {
-        text += fmt::format("; RMS error at the end {:.2f} times, peak {:.2f} times that at the beginning",
-                            r.rms_growth, r.peak_growth);
+        text += fmt::format(
+            "; at the end, the RMS error is {:.2f} and the peak error {:.2f} times its value "
+            "at the beginning",
+            r.rms_growth, r.peak_growth);
       }
     }
     text += fmt::format(" ({})\n", name(r.engine));

@@ -1,5 +1,6 @@
 #pragma once
-// The option "--endurance [MINUTES]" of simulate and compare, and the output about extended scenarios.
+// The option "--endurance [MINUTES]" of `armtune simulate` and `armtune compare`, and its printed results. It
+// extends every scenario to that many simulated minutes, to find faults that appear only after a long time.
 
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ CLI::Option* add_endurance_option(CLI::App& command, double& minutes);
 /// Prints for each scenario how its task continues when the scenario is extended.
 void say_how_extended(const std::vector<Scenario>& scenarios);
 
-/// Returns one line per scenario: how long it kept every limit, or which limit broke first.
+/// Returns one line per scenario: how long the arm kept every limit, or which limit it broke first.
 std::string endurance_table(const std::vector<EnduranceResult>& results);
 
 }  // namespace armtune::internal::cli

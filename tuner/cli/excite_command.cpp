@@ -30,7 +30,7 @@ JointVector center_in_si(const RobotModel& model, const std::vector<double>& deg
   if (degrees.empty()) return {};
   if (static_cast<int>(degrees.size()) != model.n()) {
     throw InputError(
-        fmt::format("--center has {} values, but {} has {} joints; give one value for each of: {}",
+        fmt::format("--center has {} values, but {} has {} joints; give one value for each joint: {}",
                     degrees.size(), model.name, model.n(), fmt::join(joint_names(model), " ")));
   }
   return in_si(model, Eigen::Map<const Eigen::VectorXd>(degrees.data(), model.n()));
@@ -84,12 +84,12 @@ void add_motion_options(CLI::App& command, Arguments& args) {
       ->capture_default_str();
   command.add_option(
       "--min-height", d.min_height,
-      "least height of the tool, and of the joint origins from the third joint on, as z in the base frame "
-      "[m] (default: no limit)");
-  command.add_option("--frequency", d.frequency, "base frequency of the Fourier series [Hz]")
+      "lowest allowed z of the tool and of the joint origins, in the base frame [m]; the origins of the "
+      "first two joints are exempt (default: no limit)");
+  command.add_option("--frequency", d.frequency, "base frequency of the motion's Fourier series [Hz]")
       ->check(CLI::Range(1e-3, 10.0))
       ->capture_default_str();
-  command.add_option("--harmonics", d.harmonics, "number of harmonics of the base frequency")
+  command.add_option("--harmonics", d.harmonics, "number of harmonics in the motion's Fourier series")
       ->check(CLI::Range(1, 50))
       ->capture_default_str();
   command.add_option("--duration", d.duration, "duration of the trajectory [s]")
@@ -97,8 +97,8 @@ void add_motion_options(CLI::App& command, Arguments& args) {
       ->capture_default_str();
   command
       .add_option("--fade", args.fade,
-                  "duration of the fade-in, and of the fade-out [s] (default: 2, or a quarter of the "
-                  "trajectory's duration if that is less)")
+                  "time in which the motion builds up at the start and dies down at the end [s] (default: 2, "
+                  "or a quarter of the trajectory's duration if that is less)")
       ->check(CLI::Range(0.1, 10.0));
 }
 
@@ -107,7 +107,7 @@ void add_motion_options(CLI::App& command, Arguments& args) {
 void add_excite_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "excite", "Design a trajectory from which an arm's dynamics can be identified; simulate logs of it");
+      "excite", "Design a trajectory for identifying an arm's dynamics, and simulate its logs");
   ExciteSettings& settings = args->settings;
   ExcitationOptions& d = settings.design;
   command->add_option("ROBOT", args->robot, "bundled robot, robot YAML or URDF")->required();
@@ -125,17 +125,18 @@ void add_excite_command(CLI::App& app, int& exit_code) {
                    "use the trajectory of this excitation.yaml instead of designing one")
       ->check(readable_file());
   command->add_option("--scenario", args->scenarios,
-                      "also simulate the trajectory on this scenario's arm, without its payload, and write a "
-                      "log");
+                      "also simulate the trajectory with this scenario's arm, and write a log; the arm "
+                      "carries no payload unless --payload is given");
   command
       ->add_option("--torque-noise", settings.log.torque_noise,
                    "standard deviation of the logged torques [N m]")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  command->add_flag("--payload", settings.log.payload, "simulate with the scenario's payload at the tool");
+  command->add_flag("--payload", settings.log.payload,
+                    "simulate the logs with the scenario's payload at the tool");
   command->footer(
-      "Collisions of the arm with itself, its pedestal or the room are not checked. Look at trajectory.csv,\n"
-      "and run it slowly first.\n\n"
+      "Collisions of the arm with itself or its surroundings are not checked. Check trajectory.csv, and run\n"
+      "the trajectory slowly first.\n\n"
       "Example:\n  armtune excite ur10 --center 0,-90,-60,-90,90,0 --min-height 0.1 --out runs/excite "
       "--scenario moving_target\n"
       "  armtune identify runs/excite/log_moving_target.csv --robot ur10 --out runs/identified\n");

@@ -1,5 +1,6 @@
 #pragma once
-// The output of `armtune excite` about its session, during the work and at its end.
+// Prints the progress and the results of `armtune excite`. That command designs a trajectory from which an
+// arm's dynamics can be identified, and simulates logs of it.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/identification/session/excite_session.hpp"

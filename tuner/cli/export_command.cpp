@@ -40,7 +40,7 @@ std::string changed_controllers(const Arguments& args, const GainsFile& gains) {
   if (!is_joint_trajectory_controller(gains.gains.controller)) {
     throw InputError(
         fmt::format("{}: the gains are for the controller '{}', but {} is a joint trajectory controller; "
-                    "give gains of such a controller, or export without --into",
+                    "give gains of a joint trajectory controller, or export without --into",
                     args.what.set, gains.gains.controller, controller.name));
   }
   return with_gains(text, controller, args.into, gains.gains, gains.joints);
@@ -57,8 +57,10 @@ int run(const Arguments& args) {
     file.gains = load_gains(path, file.joints);
   } catch (const yaml::OtherJoints& e) {
     if (!args.what.robot.empty()) throw;
-    throw InputError(fmt::format("{} (read as gains for {}; if they are for another arm, name it by --robot)",
-                                 e.what(), robot->name));
+    throw InputError(
+        fmt::format("{}. The gains were read for the arm {}; if they are for another arm, name it with "
+                    "--robot",
+                    e.what(), robot->name));
   }
   file.node = args.node;
   file.origin = origin_of(args.what, path, run, robot->source);
@@ -83,25 +85,26 @@ void add_export_command(CLI::App& app, int& exit_code) {
   command->add_option("RUN_OR_GAINS", args->what.set, "run folder, gains file or bundled gains")->required();
   command
       ->add_option("--format", args->format,
-                   "yaml: armtune's own format; ros1: for rosparam load; ros2: for --params-file")
+                   "format of the output: yaml for armtune, ros1 for 'rosparam load', ros2 for --params-file")
       ->check(CLI::IsMember(gains_format_names()))
       ->capture_default_str();
   CLI::Option* into = command->add_option(
       "--into", args->into,
-      "ROS parameter file of a joint_trajectory_controller: writes a copy of it to --out, with nothing "
-      "changed but the numbers of the gains");
+      "ROS parameter file of a joint_trajectory_controller; --out becomes a copy of this file in which only "
+      "the gains are changed");
   into->excludes("--format");
   command->add_option(
       "--node", args->node,
-      "node or namespace that gets the parameters (default: simple_effort_ctrl, or with --format ros2 '/**', "
-      "which means every node). With --into: name of the controller, if the file has several");
+      "node or namespace of the parameters in the output (default: simple_effort_ctrl; for ros2, /** is the "
+      "default, which means every node). With --into: name of the controller, if the file has several");
   command->add_option(
       "--robot", args->what.robot,
-      "the arm that the gains are for (default: the arm of the run's study; ur10 if only gains are given)");
-  into->needs(command->add_option("--out", args->file, "new file (default: standard output)"));
+      "arm that the gains are made for: a bundled robot, a robot YAML or a URDF (default: the arm of the "
+      "run's study; for gains outside a run folder, ur10)");
+  into->needs(command->add_option("--out", args->file, "new file for the output (default: standard output)"));
   command->footer(
-      "A comment at the top of the file lists the study, seed and inputs of the gains, the share of the\n"
-      "joint limits that they use in simulation, and the order of numbers. The line above each gain has\n"
+      "A comment at the top of the file lists the study, seed and inputs of the gains, how close the\n"
+      "simulated joints came to their limits, and the order of the numbers. The line above each gain has\n"
       "its unit. Read docs/ros.md before the first motion of a real arm.\n\n"
       "Example:\n"
       "  armtune export runs/tuned --format ros2 --out gains.yaml\n"

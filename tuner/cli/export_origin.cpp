@@ -29,7 +29,7 @@ std::shared_ptr<const RobotModel> robot_of(const GainsToExport& what, const std:
   if (!run.empty()) return scenarios_of(run, {}, {}).front().robot;
   if (!is_folder(what.set)) return load_robot("ur10");
   throw InputError(fmt::format(
-      "{}: has no study.yaml, so the arm of the gains is unknown; name it with --robot", what.set));
+      "{}: has no study.yaml, so the arm of the gains is unknown; name the arm with --robot", what.set));
 }
 
 std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& what, const std::string& path,
@@ -54,8 +54,9 @@ std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& 
   origin.insert(
       origin.begin(),
       {"warning",
-       fmt::format("this run's objective, limits and margins do not apply to these {}; simulate them",
-                   of_other_arm ? "gains on this arm" : "gains, which are in another of its files")});
+       fmt::format("this run's objective, limits and margins do not apply to these {}; simulate the gains "
+                   "first",
+                   of_other_arm ? "gains on this arm" : "gains, which are from another file of the run")});
   for (const auto& row : of_robot) {
     if (!is_known(row)) origin.push_back(row);
   }

@@ -1,5 +1,6 @@
 #pragma once
-// The arm that exported gains are for, and the origin of the gains.
+// Finds the arm that a set of gains is for, and describes where the gains come from. `armtune export` needs
+// both to write gains in a robot's file format.
 
 #include <memory>
 #include <string>
@@ -20,8 +21,8 @@ struct GainsToExport {
 /// because nothing in it names the arm.
 std::shared_ptr<const RobotModel> robot_of(const GainsToExport& what, const std::string& run);
 
-/// Returns the origin of the gains at `path`, as pairs (what, its value in words). It contains figures of the
-/// run only if they apply to these gains on this arm. robot: path of the arm's file.
+/// Returns the origin of the gains at `path`, as pairs (key, value in words). Results of the run, such as its
+/// objective, are included only if they apply to these gains on this arm. robot: path of the arm's file.
 std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& what, const std::string& path,
                                                            const std::string& run, const std::string& robot);
 

@@ -11,9 +11,10 @@
 namespace armtune::internal::cli {
 
 void FrontPrinter::began(const Study& study, const ParetoOptions& options, std::size_t recalled) {
-  say(fmt::format("front of study {}: {}; {} gains, {} scenarios; budget: {}; results go to {}\n", study.name,
-                  fmt::join(settings_.criteria, " against "), study.space.free.size(), study.scenarios.size(),
-                  budget_text(options.max_evaluations, study.max_minutes), settings_.place.folder));
+  say(fmt::format("Pareto front of study {}: {}. {} gains, {} scenarios; budget: {}. Results go to {}\n",
+                  study.name, fmt::join(settings_.criteria, " against "), study.space.free.size(),
+                  study.scenarios.size(), budget_text(options.max_evaluations, study.max_minutes),
+                  settings_.place.folder));
   if (settings_.place.resume) say(fmt::format("resuming after {} finished evaluations\n", recalled));
   std::fflush(stdout);
 }
@@ -29,16 +30,18 @@ void print_front(const FrontOutcome& outcome, const Study& study, const std::str
   }
   say(pareto_table(study, outcome.options, outcome.result));
   if (outcome.result.out_of_time) {
-    say(fmt::format("time used up after {} evaluations: some levels may be missing or only partly searched\n",
+    say(
+        fmt::format("the time limit max_minutes was reached after {} evaluations; parts of the front may be "
+                    "missing or not fully searched\n",
                     outcome.result.evaluations));
   }
   say(fmt::format("{}\nwrote {} in {:.0f} s: {}{}\n",
-                  !outcome.verified ? "interrupted: the points were not simulated again"
+                  !outcome.verified ? "interrupted: the points of the front were not simulated again"
                   : study.engine == Engine::kSimbody
                       ? "every point was simulated again and gave the same values"
                       : "every point was simulated again in simbody; the table has these values",
                   folder, outcome.seconds, fmt::join(outcome.files, ", "),
-                  outcome.verified ? "; recordings for the report in start/ and shown/" : ""));
+                  outcome.verified ? "; recordings for the report are in start/ and shown/" : ""));
   if (!outcome.verified) say(fmt::format("to resume: {} pareto --resume {}\n", program_name(), folder));
 }
 

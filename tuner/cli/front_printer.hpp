@@ -1,5 +1,6 @@
 #pragma once
-// The output of `armtune pareto` about its session, during the work and at its end.
+// Prints the progress and the results of `armtune pareto`, which searches for the Pareto front of a study,
+// such as accuracy against joint velocity.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/front_session.hpp"
@@ -17,7 +18,7 @@ class FrontPrinter : public SessionPrinter<FrontObserver> {
   const FrontSettings& settings_;
 };
 
-/// Prints the front, or why there is none.
+/// Prints the Pareto front, or why none was found.
 void print_front(const FrontOutcome& outcome, const Study& study, const std::string& folder);
 
 }  // namespace armtune::internal::cli

@@ -1,6 +1,6 @@
 #pragma once
-// The argument RUN_OR_GAINS of the command line. A run folder stands for the gains in it and for the
-// scenarios of its study.
+// Reads the command line argument RUN_OR_GAINS. It names bundled gains, a gains file, or the folder of an
+// earlier run. A folder stands for the gains in it and for the scenarios of its study.
 
 #include <string>
 #include <vector>
@@ -22,8 +22,8 @@ struct GainSet {
   Gains gains;
 };
 
-/// Reads the gains of a set. scenarios: at least one. Throws InputError if they do not fit the robot of every
-/// scenario, or if a path winds a joint up beyond its limits.
+/// Reads the gains of a set, for the robot of the first scenario. scenarios: at least one. Throws InputError
+/// if they do not fit the robot of every scenario, or if a path winds a joint up beyond its limits.
 GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios);
 
 /// Returns the gains of a file, which is read for each scenario's robot. name: name of the set in tables.

@@ -47,19 +47,20 @@ void add_identify_command(CLI::App& app, int& exit_code) {
       ->check(readable_file());
   command
       ->add_option("--robot", args->robot,
-                   "bundled robot, robot YAML or URDF with the geometry, the joint names and prior values")
+                   "bundled robot, robot YAML or URDF; it gives the geometry, the joint names and the prior "
+                   "values of the parameters")
       ->required();
   command->add_option("--out", settings.folder,
                       "new folder for theta.yaml, base_parameters.csv, robot.urdf and other results "
                       "(default: no files)");
   command->add_option("--columns", settings.columns_path,
-                      "YAML file that names the column of each quantity in the logs, with factors for other "
-                      "units");
+                      "YAML file (column map) that names the log column of each quantity, and the factors "
+                      "that convert other units to SI units");
   command
       ->add_option("--cutoff", settings.options.rows.cutoff,
-                   "cutoff frequency of the zero-phase filter [Hz]: about five times the highest frequency "
-                   "of the motion. A lower value removes more noise, a higher one keeps the jumps of "
-                   "friction")
+                   "cutoff frequency of the zero-phase filter [Hz]. Use about five times the highest "
+                   "frequency of the motion. A lower value removes more noise, a higher one keeps the jumps "
+                   "of the friction")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   command
@@ -72,18 +73,21 @@ void add_identify_command(CLI::App& app, int& exit_code) {
                     "give outliers less weight (Huber), in several passes over the logs");
   command->add_flag(
       "!--fit-all", settings.options.hold_out,
-      "fit to all of the logs. Without this option every fifth second is left out, to check the result on "
-      "it");
+      "use all samples in the fit. Without this option, one second in five is left out of the fit, and is "
+      "used to check the result");
   command->add_flag("--accept", settings.accept,
                     "write the result even if the logs do not fit the robot file; the exit code is still 3");
   command->footer(
       "Record a motion that moves every joint through its range at several speeds (armtune excite designs "
       "one), then:\n"
       "  armtune identify log.csv --robot my_arm.yaml --out runs/identified\n"
-      "To start a scenario from the result:  theta_start: {file: runs/identified/theta.yaml}\n"
-      "Column map:  time: t\n             position: {columns: [q1, q2], scale: 0.0174533}\n"
-      "             torque: {columns: [tau1, tau2], scale: [10.0, 8.5]}\n"
-      "Cells may be separated by commas, semicolons, tabs or blanks.\n");
+      "A scenario whose controller starts from the result has the line:\n"
+      "  theta_start: {file: runs/identified/theta.yaml}\n"
+      "Example of a column map (--columns):\n"
+      "  time: t\n"
+      "  position: {columns: [q1, q2], scale: 0.0174533}\n"
+      "  torque: {columns: [tau1, tau2], scale: [10.0, 8.5]}\n"
+      "In the logs, cells may be separated by commas, semicolons, tabs or blanks.\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The output of `armtune identify`: the base parameters, the torque of each joint that the model does not
-// explain, warnings, and the files written.
+// Prints the results of `armtune identify`: the identified base parameters, the part of each joint's torque
+// that the model does not explain, warnings, and the files written.
 
 #include "tuner/identification/session/identify_session.hpp"
 

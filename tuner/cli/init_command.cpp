@@ -18,12 +18,12 @@ void add_init_command(CLI::App& app, int&) {
   auto inputs = std::make_shared<ControllerStudyInputs>();
   auto folder = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
-      "init", "Write a study that tunes a ROS controller, from its robot, its parameter file and motions");
+      "init", "Write a study that tunes a ROS controller, from a robot, a parameter file and motions");
   add_controller_study_options(*command, *inputs, true);
   command->add_option("--out", *folder, "new folder for the study")->required();
   command->footer(
       "Writes study.yaml with the gains to tune, the objective and the constraints. For each motion it\n"
-      "writes a scenario with the sensor noise and delay that are assumed. If no file gives the arm's\n"
+      "writes a scenario with assumed values of sensor noise and delay. If no file gives the arm's\n"
       "rotor inertia, it also writes robot.yaml with an estimate. Change the values that differ on your\n"
       "robot, then tune. 'armtune tune' with the same options does both at once.\n\n"
       "Example:\n"

@@ -1,6 +1,7 @@
 #pragma once
-// A flag that is set by SIGINT, SIGTERM and SIGHUP and that long work polls, with other global data of the
-// program. Signal handlers can only reach globals.
+// Holds global data of the program. SIGINT, SIGTERM and SIGHUP set a stop flag, which long computations poll;
+// it is global because signal handlers can only reach globals. The command line is stored here too, so that
+// results can record how they were made (their provenance).
 
 #include <atomic>
 #include <string>
@@ -12,12 +13,12 @@ namespace armtune::internal::cli {
 /// a second later or more, ends the program at once.
 std::atomic<bool>& stop_requested();
 void catch_interrupts();
-/// Ignores the signals, in a process that another process tells when to stop.
+/// Ignores these signals. Called in a process that another process stops, such as a rank other than 0.
 void ignore_interrupts();
 
-/// Returns the words of the command line, for provenance. A resumed run has the words it was begun with.
+/// Returns the words of the command line, for provenance. For a resumed run see resumed_arguments.
 std::vector<std::string>& command_words();
-/// Returns the command that makes the run again, for provenance (see repeating_command).
+/// Returns the command that repeats the run, for provenance (see repeating_command).
 std::string& command_line();
 /// Returns the program's name as the user typed it, for advice in messages.
 std::string& program_name();

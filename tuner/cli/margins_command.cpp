@@ -79,7 +79,7 @@ int run(Arguments args) {
 
 std::string help_footer() {
   std::string text =
-      "Margins (one quantity is changed at a time, from its value in the scenario and the gains):\n";
+      "Margins (only one quantity at a time is changed from its value in the scenario or the gains):\n";
   for (const MarginField& field : margin_fields()) {
     text += fmt::format("  {:<16} {} [{}]\n", field.name, field.meaning, field.unit);
   }
@@ -88,8 +88,8 @@ std::string help_footer() {
       "A closed loop holds if its rollout completes, keeps the limits, and saturates a joint's torque in at\n"
       "most {} % of the control periods. An unstable loop chatters between the torque limits long before it\n"
       "diverges or tracks much worse. The search moves away from the nominal value in steps until the loop\n"
-      "fails. It then bisects, down to one control period of delay or 2 % of another quantity. A margin is\n"
-      "'none' if the loop fails at the nominal value already.\n"
+      "fails. It then bisects, down to one control period of delay or 2 % of any other quantity. A margin\n"
+      "is 'none' if the loop fails at the nominal value already.\n"
       "\nExample:\n  armtune margins extended_tuned --scenarios moving_target realistic_moving_target "
       "--limit 'joint_velocity/max_ratio<=0.9'\n",
       100.0 * kSaturatedShare);
@@ -106,13 +106,13 @@ void add_margins_command(CLI::App& app, int& exit_code) {
   command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
   command->add_option(
       "--scenarios", args->scenarios,
-      "scenarios to simulate (default: those of the run's study; if there is none fixed_target, "
+      "scenarios to simulate (default: all scenarios in the run's study; without a study: fixed_target, "
       "moving_target, target_switch, obstacle_pass and their realistic_ variants)");
   command->add_option("--limit", args->limits,
-                      "limit to keep, METRIC<=VALUE or METRIC>=VALUE; may be repeated, and replaces the "
-                      "default (joint velocities and positions within the arm's limits, and no contact)");
+                      "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated "
+                      "(default: joint velocities and positions within the arm's limits, and no contact)");
   add_stepper_option(*command, args->stepper);
-  command->add_option("--out", args->folder, "new folder for margins.csv and run.yaml");
+  command->add_option("--out", args->folder, "new folder for margins.csv and run.yaml (default: no files)");
   command->add_option("--workers", args->options.workers, "number of threads; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);

@@ -21,7 +21,7 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
   const auto kept = static_cast<std::size_t>(
       std::count_if(samples.begin(), samples.end(), [](const MonteCarloSample& s) { return s.keeps_all(); }));
   const auto [low, high] = wilson_interval(kept, samples.size());
-  say(fmt::format("{:.1f} % of {} arms keep every limit (95 % confidence: {:.1f} .. {:.1f} %):\n",
+  say(fmt::format("{:.1f} % of {} random arms keep every limit (95 % confidence: {:.1f} .. {:.1f} %):\n",
                   100.0 * static_cast<double>(kept) / static_cast<double>(samples.size()), samples.size(),
                   100.0 * low, 100.0 * high));
   for (const MetricLimit& limit : limits) say(fmt::format("  {}\n", to_string(limit)));
@@ -36,7 +36,7 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
   constexpr std::size_t kShown = 8;
   for (const auto& [what, numbers] : breaks) {
     say(fmt::format(
-        "{}: {} of {} arms break '{}': samples {}{}\n", what.first, numbers.size(), samples.size(),
+        "{}: {} of {} random arms break '{}': samples {}{}\n", what.first, numbers.size(), samples.size(),
         what.second,
         fmt::join(numbers.begin(),
                   numbers.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, numbers.size())), " "),
@@ -62,7 +62,7 @@ void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<Mon
 }  // namespace
 
 void MonteCarloPrinter::resumed(std::size_t recalled) {
-  say(fmt::format("resuming after {} finished samples\n", recalled));
+  say(fmt::format("resuming after {} finished random arms\n", recalled));
 }
 
 int MonteCarloPrinter::ended(const MonteCarloOutcome& outcome) const {
@@ -77,7 +77,7 @@ int MonteCarloPrinter::ended(const MonteCarloOutcome& outcome) const {
   }
   if (!folder.empty()) {
     say(fmt::format("\nwrote {}: {}{}\n", folder, fmt::join(outcome.files, ", "),
-                    outcome.recorded ? "; recordings of the nominal arm in nominal/" : ""));
+                    outcome.recorded ? "; recordings of the nominal arm are in nominal/" : ""));
   }
   if (outcome.ending != Ending::kInterrupted) return conclude(outcome.verdict);
   if (!folder.empty())

@@ -1,5 +1,6 @@
 #pragma once
-// The output of `armtune robustness` about its session, during the work and at its end.
+// Prints the progress and the results of `armtune robustness`, which simulates gains on many randomly changed
+// models of the arm.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/monte_carlo_session.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// Options that take one of a few names. They are the same in every command that has them.
+// Adds command line options whose value is one of a few names, such as --engine. Several commands share them.
 
 #include <string>
 
@@ -16,7 +16,7 @@ CLI::Option* add_stepper_option(CLI::App& command, std::string& stepper);
 /// Adds "--engine", which selects what computes the arm's accelerations.
 CLI::Option* add_engine_option(CLI::App& command, std::string& engine);
 
-/// Adds "--controller", which selects another controller than the one of the study's gains.
+/// Adds "--controller", which selects a controller to tune in place of the study's own.
 CLI::Option* add_controller_option(CLI::App& command, std::string& controller);
 
 }  // namespace armtune::internal::cli

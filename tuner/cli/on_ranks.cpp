@@ -82,7 +82,8 @@ int report(const std::exception_ptr& failure) {
     return stop_requested() ? kInterrupted : kBadInput;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr,
-               "armtune: failed: not enough memory; provide more, or use fewer --workers or less input\n");
+               "armtune: failed: not enough memory; provide more, or use fewer --workers or smaller "
+               "inputs\n");
   } catch (const std::exception& e) {
     fmt::print(stderr, "armtune: failed: {}\n", e.what());
   }
@@ -104,14 +105,14 @@ RankGroup& team() {
 void refuse_ranks(const std::string& command) {
   if (const int tasks = strangers(); tasks > 0) {
     throw InputError(fmt::format(
-        "srun started {} tasks without MPI, and each task would do the whole run; use srun --mpi=pmix, or one "
-        "task with --workers",
+        "srun started {} tasks without MPI, and each task would do the whole run; use srun --mpi=pmix, or "
+        "one task with --workers",
         tasks));
   }
   if (rank_place().size == 1 || std::find(kUsers.begin(), kUsers.end(), command) != kUsers.end()) return;
   throw InputError(
-      fmt::format("{} does not use ranks, but {} were started; run it without mpirun or srun. Only {} use "
-                  "ranks",
+      fmt::format("{} does not use MPI ranks, but {} ranks were started; run it without mpirun or srun. Only "
+                  "{} use ranks",
                   command, rank_place().size, fmt::join(kUsers, ", ")));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Functions that run a command in one process or among several ranks, and that refuse ranks for commands that
-// do not use them.
+// Runs a command in one process, or in several MPI processes (ranks) that mpirun or srun started. Also
+// refuses several ranks for commands that cannot use them.
 
 #include <exception>
 #include <functional>
@@ -10,26 +10,27 @@
 
 namespace armtune::internal::cli {
 
-/// Runs the program in this process alone, or among the ranks that mpirun or srun started. Returns its exit
-/// code, which is the same in every rank. If ranks were started with different command lines, they end before
-/// they call `program`. A command that uses ranks calls team().begin and returns kDone if that is false. Only
-/// rank 0 prints.
+/// Runs `program` in this process alone, or in each of the ranks that mpirun or srun started. Returns its
+/// exit code, which is the same in every rank. If ranks were started with different command lines, they end
+/// before they call `program`. A command that uses ranks calls team().begin and returns kDone if that is
+/// false. Only rank 0 prints.
 int on_ranks(const std::string& command_line, const std::function<int()>& program);
 
-/// Returns the processes of this run, for the command that on_ranks has called.
+/// Returns the group of ranks of this run. To be called only inside the `program` of on_ranks.
 RankGroup& team();
 
-/// Throws InputError if several ranks were started for a command that does not use them, or if several tasks
-/// were started that are not ranks.
+/// Throws InputError if several ranks were started for a command that does not use them, or if srun started
+/// several tasks without MPI.
 void refuse_ranks(const std::string& command);
 
-/// Prints an error and returns the exit code. Ranks other than 0 print nothing: an error before they can
-/// reach rank 0 occurs in all ranks alike.
+/// Prints an error on stderr and returns the exit code. Ranks other than 0 print nothing and return kDone. An
+/// error before they can reach rank 0 occurs in all ranks alike, and mpirun would end rank 0 before it prints
+/// if another rank failed first.
 int report(const std::exception_ptr& failure);
 
 /// Help texts of --workers and --rollout-deadline.
 inline constexpr const char* kWorkersHelp =
-    "number of threads; results do not depend on it. Under mpirun or srun every rank is one worker";
+    "number of worker threads; results do not depend on it. Under mpirun or srun every rank is one worker";
 /// Default of --workers as --help shows it. It does not depend on this machine.
 inline constexpr const char* kWorkersDefault = "one per processor";
 inline constexpr const char* kDeadlineHelp =

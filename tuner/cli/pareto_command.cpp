@@ -49,32 +49,33 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   add_controller_option(*command, args->controller);
   command
       ->add_option("--criteria", settings.criteria,
-                   "two or three criteria: 'objective' (the study's) or a metric (its worst over the "
-                   "scenarios)")
+                   "two or three criteria of the front. Each is 'objective', the study's objective, or a "
+                   "metric; its worst value over the scenarios counts")
       ->expected(2, 3)
       ->capture_default_str();
   command
       ->add_option(
           "--levels", settings.levels,
-          "number of bounds that are tried for each criterion except the first; each is searched twice "
-          "(default: 12, or 4 with three criteria)")
+          "number of upper bounds to try for each criterion except the first. Under each bound, the first is "
+          "minimised twice (default: 12, or 4 with three criteria)")
       ->check(CLI::Range(2, 1000));
   command
       ->add_option("--max-evaluations", settings.max_evaluations,
-                   "number of evaluations (default: four times the study's)")
+                   "number of evaluations (default: four times the number in the study)")
       ->check(CLI::Range(1L, 1000000000L));
   command
-      ->add_option("--seed", args->seed, "seed of algorithms that use random numbers (default: the study's)")
+      ->add_option("--seed", args->seed,
+                   "seed of algorithms that use random numbers (default: the study's seed)")
       ->check(CLI::Range(0L, 1000000000000L));
   add_run_options(*command, "new folder for the results (default: runs/pareto_<study>_<time>)",
                   settings.place, settings.workers, settings.deadline);
   command->footer(
-      "Every point of the front keeps the study's constraints. The study's search keys global,\n"
-      "global_share, algorithm and constraints apply to the search for the least first criterion. The\n"
-      "steps, engine and seed apply to all searches. The keys sweep, starts and verify_share are not\n"
-      "used. At the end the points of the front are simulated again; these evaluations do not count. The\n"
-      "front ends where a criterion cannot improve further unless another one becomes worse than with the\n"
-      "start gains.\n\n"
+      "Every point of the front keeps the study's constraints. The first search minimises the first\n"
+      "criterion, with the study's search keys global, global_share, algorithm and constraints. The steps,\n"
+      "engine and seed of the study apply to all searches. The keys sweep, starts and verify_share are not\n"
+      "used. At the end the points of the front are simulated again, in addition to the budget of\n"
+      "evaluations. The front ends where a criterion cannot improve further unless another one becomes\n"
+      "worse than with the start gains.\n\n"
       "Example:\n  armtune pareto ur10_gaze --criteria gaze/rms "
       "joint_velocity/max_ratio effort_rate/rms --levels 5\n");
   command->callback([args, &exit_code] { exit_code = run(*args, team()); });

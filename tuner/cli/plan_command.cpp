@@ -73,12 +73,13 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", args->folder,
                       "new folder for trajectory.csv, joint_trajectory.yaml, report.html and other results "
                       "(default: runs/<task>_<time>)");
-  command->add_option("--knots", args->knots, "number of intervals of the time grid (default: the task's)")
+  command
+      ->add_option("--knots", args->knots, "number of intervals of the time grid (default: as in the task)")
       ->check(CLI::Range(12, 100000));
   command
       ->add_option("--duration", args->duration,
-                   "fixed duration of the motion [s] (default: the task's, or the least possible if it has "
-                   "none)")
+                   "fixed duration of the motion [s] (default: as in the task; if the task has no duration, "
+                   "the least possible)")
       ->check(CLI::Range(1e-3, 1e4));
   command->add_option("--ros", args->ros, "ROS version for which joint_trajectory.yaml is written")
       ->check(CLI::IsMember({1, 2}))

@@ -26,10 +26,10 @@ std::string value_words(const BindingLimit& limit) {
 }
 
 std::string limits_text(const std::vector<BindingLimit>& limits, const char* title) {
-  std::string text = fmt::format("{}{}\n", title, limits.empty() ? " nothing" : "");
+  std::string text = fmt::format("{}{}\n", title, limits.empty() ? " none" : "");
   for (std::size_t i = 0; i < std::min(limits.size(), kShownLimits); ++i) {
     const BindingLimit& limit = limits[i];
-    text += fmt::format("  {}: {}, {:.3g} % of the knots, {:.3f} .. {:.3f} s\n",
+    text += fmt::format("  {}: {}, at {:.3g} % of the knots, from {:.3f} to {:.3f} s\n",
                         report::limit_words(limit.limit, limit.part), value_words(limit), 100.0 * limit.share,
                         limit.first, limit.last);
   }
@@ -44,10 +44,10 @@ void print_infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
   else
     say(fmt::format("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned))));
   say(limits_text(binding_limits(planned),
-                  planned.too_short ? "the least time is held back by:" : "limits reached or exceeded:"));
-  say(fmt::format("Allow {}; if little is missing, try --knots above {}.\nNo trajectory was written.\n",
+                  planned.too_short ? "limits that prevent a shorter time:" : "limits reached or exceeded:"));
+  say(fmt::format("Allow {}; if the difference is small, try --knots above {}.\nNo trajectory was written.\n",
                   planned.too_short ? "more time, or wider limits or tolerances"
-                                    : "wider limits or tolerances, or another start",
+                                    : "wider limits or tolerances, or another start state",
                   planned.trajectory.time.size() - 1));
 }
 
@@ -56,7 +56,7 @@ std::string plan_text(const PlanTask& task, const PlanOutcome& outcome) {
   const PlannedTrajectory& planned = outcome.planned;
   std::string text = fmt::format("{}: {}\n", task.name, plan_headline(task, problem, planned));
   for (const std::string& note : plan_notes(task, problem, planned)) text += note + '\n';
-  text += limits_text(binding_limits(planned), "held back by:");
+  text += limits_text(binding_limits(planned), "limits that prevent a better result:");
   if (const std::string between = between_words(outcome.uses); !between.empty()) text += between + '\n';
   const SequentialQuadraticProgress& last = planned.result.last;
   return text + fmt::format(
@@ -89,8 +89,9 @@ int print_plan(const PlanOutcome& outcome, const PlanSettings& settings) {
     case PlanStatus::kStalled:
       fmt::print(
           stderr,
-          "{}: no solution found after {} steps, but the task may have one: violation {:.1e} ({}), KKT "
-          "residual {:.1e}; try another number of --knots, wider limits or tolerances, or another start\n",
+          "{}: no solution found after {} steps (constraint violation {:.1e}: {}; KKT residual {:.1e}). The "
+          "task may still have one: try another number of --knots, wider limits or tolerances, or another "
+          "start state\n",
           task.name, last.iteration, last.violation, sentence(worst_violation(planned)),
           std::max(last.stationarity, last.complementarity));
       return kFailed;

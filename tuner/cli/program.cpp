@@ -98,7 +98,8 @@ int parse_and_run(int argc, char** argv) {
       "Offline gain tuning for robot arms: simulates an arm in closed loop with its controller, in Simbody, "
       "and tunes the controller's gains with NLopt, so that tracking errors fall while every joint keeps "
       "its limits.\n\nTo begin:  armtune simulate moving_target\n"
-      "then:      armtune tune ur10_gaze --max-evaluations 100"};
+      "then:      armtune tune ur10_gaze --max-evaluations 100",
+      "armtune"};
   app.formatter(help_formatter());
   app.set_help_all_flag("--help-all", "Print help with every option and exit");
   app.set_version_flag("--version", version_text());
@@ -150,7 +151,7 @@ int run(int argc, char** argv) {
   if (reason == 0) return exit_code;
   fmt::print(
       stderr,
-      "armtune: failed: cannot write all of standard output: {}; redirect it to where it can be written\n",
+      "armtune: failed: cannot write all of standard output: {}; redirect the output to a writable file\n",
       std::strerror(reason));
   return exit_code == kDone ? kFailed : exit_code;
 }

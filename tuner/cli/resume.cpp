@@ -84,7 +84,9 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   if (!folder) return words;
   const RunHeader begun = read_run_header(journal_in(*folder));
   if (begun.arguments.empty()) {
-    throw InputError(*folder + ": was started by a program through armtune's library; resume it from there");
+    throw InputError(*folder +
+                     ": this run was started by a program through armtune's library; resume it with that "
+                     "program");
   }
   std::vector<std::string> all = {words.front()};
   all.insert(all.end(), begun.arguments.begin(), begun.arguments.end());
@@ -100,16 +102,16 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   }
   if (words.size() > 2) {
     throw InputError(
-        fmt::format("--resume continues {} as it was started ('armtune {}'); '{}' cannot be changed, only {} "
-                    "and {} can",
+        fmt::format("--resume continues {} with the command that started it ('armtune {}'); '{}' cannot be "
+                    "changed, only {} and {} can",
                     *folder, fmt::join(begun.arguments, " "), words[2], fmt::join(kFree, ", "), kLive));
   }
   std::error_code gone;
   fs::current_path(begun.working_folder, gone);
   if (gone && rank_place().rank == 0) {
     print_warning(fmt::format(
-        "{}: the run was started in this folder, which is not there any more; relative paths of its command "
-        "line start in the current folder instead",
+        "{}: this folder, in which the run was started, no longer exists; relative paths in the command line "
+        "of the run now start in the current folder",
         begun.working_folder));
   }
   return all;

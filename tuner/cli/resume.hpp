@@ -1,6 +1,6 @@
 #pragma once
-// The option --resume FOLDER, which continues a run that was killed or interrupted, with the arguments that
-// it was begun with. Also the functions that restore a command line and quote it for a shell.
+// The option --resume FOLDER. It resumes a run that was killed or interrupted, with the command line that the
+// run was started with. Also restores such a command line, and quotes command lines for a shell.
 
 #include <string>
 #include <vector>
@@ -21,11 +21,11 @@ void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& p
                      double& deadline);
 
 /// Returns the words of the command line to run, beginning with the program's name. Without --resume they are
-/// `words`. With --resume they are the words that the folder's run was begun with, then --resume and the
-/// folder, then the options that may change (--workers, --rollout-deadline, --live). The current folder
-/// becomes the one that the run was begun in; if that is gone, it stays, with a warning. Throws InputError if
-/// the folder holds no journal, if its run was begun by another command or through the library, or if `words`
-/// holds further words.
+/// `words`. With --resume they are the words that the folder's run was started with, then --resume and the
+/// folder, then the options that may change (--workers, --rollout-deadline, --live). The current folder is
+/// changed to the one in which the run was started; if that is gone, it stays, with a warning. Throws
+/// InputError if the folder holds no journal, if its run was started by another command or through the
+/// library, or if `words` holds further words.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
 
 /// Returns the word in a form that a shell reads as one word.
@@ -34,12 +34,12 @@ std::string shell_word(const std::string& word);
 /// Returns the command line, quoted for a shell, with armtune in place of the program's path.
 std::string quoted_command(const std::vector<std::string>& words);
 
-/// Returns the command that makes a run again if its --out folder does not exist yet, quoted for a shell.
-/// words: of the command line; for a resumed run, those that it was begun with.
+/// Returns the command that repeats a run from its start, quoted for a shell. It works if the --out folder of
+/// the command does not exist yet. words: result of resumed_arguments.
 std::string repeating_command(std::vector<std::string> words);
 
-/// Returns the context for a session: this program's stop flag, and its command line without the options that
-/// may change.
+/// Returns the data that every session of this program gets: the stop flag, and the command line without
+/// --out, --workers and --rollout-deadline.
 SessionContext session_context();
 
 /// Calls `load`, which reads the inputs of a run, and returns its result. If a resumed run cannot read them,

@@ -61,7 +61,7 @@ void show_joints(const RobotModel& model) {
 /// What is known of the rotors of an arm whose file does not give them.
 void show_rotors(const RobotModel& model) {
   if (!model.estimated_rotors.empty())
-    say("* an estimate, computed from the effort and velocity limits unless the robot file gives it\n");
+    say("* an estimate, from the robot file or computed from the effort and velocity limits\n");
   std::vector<std::string> lacking;
   for (int i = 0; i < model.n(); ++i) {
     if (model.chain.rotor_inertia[i] == 0.0)
@@ -89,7 +89,7 @@ void show_soft_limits(const RobotModel& model) {
     if (joint.limits.soft) soft.push_back(joint.name);
   }
   if (!soft.empty())
-    say(fmt::format("Position limits of {}: the soft limits of the URDF's safety controllers.\n",
+    say(fmt::format("The position limits of {} are the soft limits of the URDF's safety controllers.\n",
                     fmt::join(soft, ", ")));
 }
 
@@ -185,21 +185,23 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
   if (!found.task.scenario.clearance)
     print_warning(
         "no shapes of the arm's links are known, so collisions of the arm with itself and its surroundings "
-        "are not checked. A floor, if there is one, was considered only for the place of the circle. Give "
-        "meshes (ARMTUNE_MESHES), or 'shapes' in a robot YAML");
+        "are not checked. If the task has a floor, it was used only to place the circle. To check "
+        "collisions, give the folder of the meshes in ARMTUNE_MESHES, or 'shapes' in a robot YAML");
   say(fmt::format(
-      "\nwrote {0}: {1}task.yaml (a circle of {2:.3g} m), gains.yaml, study.yaml\n"
+      "\nwrote {0}: {1}task.yaml (a circle with a radius of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"
       "and {4:.2g} of its effort limits{5}.\n"
       "In armtune's own dynamics the arm keeps its limits for 30 minutes. Nearly all of 60 random arms\n"
-      "keep their limits in one run of the task, with saturated torques in at most 1 % of the periods.\n"
+      "keep their position and velocity limits in one run of the task, and their torques saturate in\n"
+      "at most 1 % of the control periods.\n"
       "next: armtune tune {0}/study.yaml\n",
       folder, found.robot_yaml.empty() ? "" : "robot.yaml (rotor inertia estimated), ",
       found.task.scenario.path.terms[0].cosine.norm(), found.metrics[Metric::kJointVelocityMaxRatio],
       found.metrics[Metric::kJointEffortMaxRatio],
       found.task.scenario.robot->estimated_rotors.empty()
           ? ""
-          : ", and with at most 0.9 of them if the rotor\ninertia is a third or three times the estimate"));
+          : ".\nEven if the rotor inertia is a third of the estimate, or three times the estimate, the arm "
+            "uses at most\n0.9 of these limits"));
 }
 
 /// "velocity limit of a, b; inertia of c"
@@ -222,13 +224,15 @@ std::string named(const MissingData& missing) {
 void write_proposals(const RobotFile& file, const std::string& urdf, const std::string& path) {
   const std::vector<Doubt> found = doubts_with_proposals(*load_robot(file.path));
   if (found.empty()) {
-    say(fmt::format("{} lacks nothing, and has no doubtful values; {} is not written\n", file.path, path));
+    say(fmt::format("{} has no missing and no doubtful values; {} was not written\n", file.path, path));
     return;
   }
   refuse_existing(path);
   write_text_file(path, proposals_yaml(urdf, found));
-  say(fmt::format("{}: {} lacks nothing; the new file has its doubtful values and proposals as comments{}\n",
-                  path, file.path, file.root ? ". Add what you accept to the robot file" : ""));
+  say(
+      fmt::format("{}: no value is missing in {}; the new file lists doubtful values and proposals, as "
+                  "comments{}\n",
+                  path, file.path, file.root ? ". Add the proposals that you accept to the robot file" : ""));
 }
 
 void write_sidecar(const RobotFile& file, const MissingData& missing, const std::string& path) {
@@ -241,10 +245,11 @@ void write_sidecar(const RobotFile& file, const MissingData& missing, const std:
   say(fmt::format("{}: ", path));
   if (!to_fill_in.empty()) say(fmt::format("fill in {}; ", named(to_fill_in)));
   for (const ImpossibleInertia& link : missing.impossible) {
-    say(fmt::format("check the proposed inertia of {}, which differs by {:.2g} % from the URDF's; ",
-                    link.link, 100.0 * link.moved));
+    say(fmt::format("check the proposed inertia of {}, which differs by {:.2g} % from the URDF; ", link.link,
+                    100.0 * link.moved));
   }
-  say(file.root ? fmt::format("then add it to {}\n", file.path) : "then use it as the robot file\n");
+  say(file.root ? fmt::format("then add the values to {}\n", file.path)
+                : "then use this file as the robot file\n");
 }
 
 /// Loads and shows it, or says all that it lacks.
@@ -284,18 +289,17 @@ void add_robot_command(CLI::App& app, int&) {
       "robot", "Show the joints, limits, masses and reach of a robot file, and what the file lacks");
   command->add_option(
       "ROBOT", *file,
-      "a bundled robot such as ur10, a robot YAML, or an expanded URDF; without it, the bundled robots are "
-      "listed");
+      "a bundled robot such as ur10, a robot YAML, or a URDF without xacro macros; without ROBOT, the "
+      "bundled robots are listed");
   auto sidecar = std::make_shared<std::string>();
   command->add_option("--sidecar", *sidecar,
-                      "new robot YAML in which you fill in what the URDF lacks (limits, inertia). If it "
-                      "lacks nothing, the file has proposals for doubtful values");
+                      "new robot YAML in which you fill in the values that the URDF lacks (limits, inertia). "
+                      "If no value is missing, the file has proposals for doubtful values");
   auto task = std::make_shared<std::string>();
   command
-      ->add_option(
-          "--task", *task,
-          "new folder for a first task: a circle where the arm moves well, gains that complete it in "
-          "simulation, and a study that tunes them")
+      ->add_option("--task", *task,
+                   "new folder for a first task: a scenario with a circular path, start gains with which the "
+                   "simulated arm completes it, and a study that tunes these gains")
       ->excludes("--sidecar");
   auto options = std::make_shared<TaskOptions>();
   command

@@ -64,10 +64,9 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "robustness", "Simulate gains on many randomly changed models of the arm: yield and quantiles");
   command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
-  command->add_option(
-      "--scenarios", args->scenarios,
-      "scenarios to simulate (default: those of the run's study; if there is none realistic_target_switch "
-      "and realistic_obstacle_pass)");
+  command->add_option("--scenarios", args->scenarios,
+                      "scenarios to simulate (default: all scenarios in the run's study; without a study: "
+                      "realistic_target_switch and realistic_obstacle_pass)");
   command->add_option("--samples", args->settings.options.samples, "number of random arms")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
@@ -77,13 +76,13 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--sample", args->only,
-          "simulate only the random arm of this number, with the same result as among all arms. With --out, "
-          "the arm is written as arm.urdf and arm.yaml")
+          "simulate only the random arm with this number; its result is the same as in a run with all arms. "
+          "With --out, the arm is written as arm.urdf and arm.yaml")
       ->check(CLI::Range(0L, 1000000000L));
   command->add_option(
       "--limit", args->limits,
-      "limit to keep, METRIC<=VALUE or METRIC>=VALUE; may be repeated, and replaces the default "
-      "(joint velocities and positions within the arm's limits, and no contact)");
+      "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated (default: joint "
+      "velocities and positions within the arm's limits, and no contact)");
   CLI::Option* payload = nullptr;
   for (const PerturbationField& f : perturbation_fields()) {
     std::string option = fmt::format("--{}", f.name);
@@ -94,11 +93,12 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
                              ->capture_default_str()
                              ->group("Uncertainty (uniform)");
     if (f.width == &Perturbation::payload)
-      payload = width->default_str("three times the scenarios' heaviest");
+      payload = width->default_str("three times the heaviest payload of the scenarios");
   }
   command
       ->add_flag("!--fixed-phases", p.phases,
-                 "start targets and obstacles as in the scenario, not at random places on their paths")
+                 "let targets and obstacles begin at the positions that the scenario gives (default: at "
+                 "random positions on their paths)")
       ->group("Uncertainty (uniform)");
   add_stepper_option(*command, args->stepper);
   add_run_options(*command,

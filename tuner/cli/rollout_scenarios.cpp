@@ -48,10 +48,10 @@ std::vector<std::string> names_in(const std::string& folder) {
     if (!names_in(entry.path().string()).empty()) below.push_back(entry.path().string());
   }
   std::sort(below.begin(), below.end());
-  throw InputError(
-      fmt::format("{}: has no rollout_*.csv; give {}", folder,
-                  below.empty() ? "a folder that tune, or simulate with --out, has written"
-                                : fmt::format("a folder in it that has them: {}", fmt::join(below, ", "))));
+  throw InputError(fmt::format(
+      "{}: has no rollout_*.csv; give {}", folder,
+      below.empty() ? "a run folder of tune, or of simulate with --out"
+                    : fmt::format("one of its subfolders that have such files: {}", fmt::join(below, ", "))));
 }
 
 /// The files that a run was made from, as its run.yaml shows them, and their hashes.
@@ -83,7 +83,7 @@ Scenario found_scenario(const std::string& name, const std::string& rollout, con
   for (const auto& [shown, hash] : inputs) {
     if (stem(shown) != name || shown.starts_with(kBundled) || !shown.ends_with(".yaml")) continue;
     if (exists(shown)) return load_scenario(shown);
-    told = fmt::format("was read from {}, which is not there any more", shown);
+    told = fmt::format("was read from {}, which no longer exists", shown);
   }
   const auto bundled = bundled_names("scenarios");
   if (std::find(bundled.begin(), bundled.end(), name) != bundled.end()) return load_scenario(name);
@@ -97,8 +97,8 @@ void refuse_changed(const Scenario& scenario, const std::string& run, const Inpu
     for (const auto& [then, hash] : inputs) {
       if (then != shown || hash == hash_of_input(file)) continue;
       throw InputError(
-          fmt::format("{}: has changed since {} was simulated with another version of {}; simulate it again, "
-                      "or name the scenario to plan for: --scenarios {}",
+          fmt::format("{}: this file has changed since the run {} simulated the scenario {}; simulate it "
+                      "again, or use the file as it is now with --scenarios {}",
                       shown, run, scenario.name, scenario.name));
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
-// The scenarios of the rollouts in a folder, found from the folder's files.
+// Finds the scenarios in which the rollouts of a run folder were simulated. `armtune yardstick` plans optimal
+// motions for the same scenarios.
 
 #include <string>
 #include <vector>
@@ -12,10 +13,10 @@ namespace armtune::internal::cli {
 /// the run keeps one of its gain sets in the folder.
 std::string run_of(const std::string& folder);
 
-/// Returns the scenarios called `names`, or, if there are none, those of every rollout_<scenario>.csv in the
-/// folder. They come from the run's study, from the files that its run.yaml names, or are bundled. Throws
-/// InputError if there is no rollout, if a scenario is not found, or if a file has changed since the run was
-/// made. The message tells the user what to give instead.
+/// Loads the scenarios called `names`. If `names` is empty, returns the scenario of every
+/// rollout_<scenario>.csv in the folder. These come from the run's study, from the files that its run.yaml
+/// names, or are bundled. Throws InputError if there is no rollout, if a scenario is not found, or if a file
+/// has changed since the run was made. The message tells the user what to give instead.
 std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::vector<std::string>& names);
 
 }  // namespace armtune::internal::cli

@@ -47,7 +47,7 @@ void print_compared(const CompareOutcome& outcome, const RolloutSettings& settin
     conclude(outcome.verdict);
     return;
   }
-  say("interrupted: the comparison is complete, but some scenarios were not extended; there is no verdict\n");
+  say("interrupted: the gain sets were compared, but not all scenarios were extended; there is no verdict\n");
 }
 
 }  // namespace armtune::internal::cli

@@ -1,5 +1,5 @@
 #pragma once
-// The output of `armtune simulate` and `armtune compare` about the outcomes of their sessions.
+// Prints the results of `armtune simulate` and `armtune compare`.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// The output of `tune` and `sensitivity` about the importance of the gains of a finished run.
+// Prints how much each gain mattered in a finished search, for `armtune tune` and `armtune sensitivity`.
 
 #include "tuner/sensitivity/sensitivity.hpp"
 

@@ -21,7 +21,8 @@ void print_warning(const std::string& sentence) {
 
 void print_can_resume(const std::string& folder) {
   fmt::print(stderr,
-             "the finished part of the run is in {}; remove the cause, then resume: {} {} --resume {}\n",
+             "the finished part of the run is in {}; remove the cause of the error, then resume: {} {} "
+             "--resume {}\n",
              folder, program_name(), command_words()[1], folder);
 }
 

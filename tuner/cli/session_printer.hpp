@@ -1,5 +1,6 @@
 #pragma once
-// An observer that prints the reports of any session: a progress line, and warnings on stderr.
+// Prints the progress and the warnings of a session on stderr. A session does the work of one command, such
+// as tuning or comparing gains. It prints nothing itself, but reports to an observer.
 
 #include <string>
 
@@ -14,8 +15,8 @@ void print_warning(const std::string& sentence);
 /// Prints on stderr that a run that failed can be resumed, and how.
 void print_can_resume(const std::string& folder);
 
-/// A printer for sessions of one kind. Observer: SessionObserver or a class derived from it, whose other
-/// functions can be overridden.
+/// An observer that prints the reports of one kind of session. Observer: SessionObserver or a class derived
+/// from it, whose other functions can be overridden.
 template <class Observer = SessionObserver>
 class SessionPrinter : public Observer {
  public:

@@ -52,8 +52,8 @@ void check_labels(const std::vector<std::string>& labels, const std::vector<std:
     check_result_name(name, sets[i]);
     if (labels[i].size() <= kLongestName) continue;
     throw InputError(
-        fmt::format("{}: another gain set has the same name, and with '{}' added the name is too long for "
-                    "files; rename it to a name of at most {} bytes",
+        fmt::format("{}: another gain set has the same name. With '{}' added, this name is too long for a "
+                    "file; rename the gain set to a name of at most {} bytes",
                     sets[i], labels[i].substr(name.size()), kLongestName - (labels[i].size() - name.size())));
   }
 }

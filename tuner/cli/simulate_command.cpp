@@ -60,8 +60,8 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   command->add_option("SCENARIO", args->scenarios, "bundled scenarios or YAML files of your own")->required();
   command->add_option("--gains", args->gains, "bundled gains or a YAML file")->capture_default_str();
   command->add_option("--theta", args->theta,
-                      "theta.yaml with the model parameters from which the controller starts (default: those "
-                      "of the scenarios)");
+                      "theta.yaml with the initial model parameters of the controller (default: those of the "
+                      "scenarios)");
   add_stepper_option(*command, args->stepper);
   add_engine_option(*command, args->engine);
   command->add_option("--out", settings.folder,
@@ -72,7 +72,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->default_str(kWorkersDefault);
   command
       ->add_option("--record-every", settings.record_every,
-                   "control periods per row of rollout_<scenario>.csv")
+                   "number of control periods between two rows of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_option("--rollout-deadline", settings.deadline, kScenarioDeadlineHelp)

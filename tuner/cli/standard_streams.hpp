@@ -1,6 +1,6 @@
 #pragma once
-// Standard output and standard error of the program. Writing to them never throws and never ends the program:
-// a disk behind them may be full, and a reader such as `head` may have seen enough.
+// Makes standard output and standard error of the program safe. Writing to them then never throws and never
+// ends the program, even if the disk is full or a reader such as `head` has closed the pipe.
 
 namespace armtune::internal::cli {
 

@@ -51,8 +51,8 @@ void take_own_files(Arguments& args, RankGroup& team) {
   if (args.own.robot.empty()) {
     if (!args.study.empty()) return;
     throw InputError(
-        "tune: no study is given; name your own study, the bundled study ur10_gaze, or your robot's files "
-        "with --robot, --controllers and --trajectory");
+        "tune: no study is given; give a study file, a bundled study such as ur10_gaze, or your robot's "
+        "files with --robot, --controllers and --trajectory");
   }
   RunPlace& place = args.settings.place;
   if (place.folder.empty()) place.folder = default_run_folder(stem(args.own.robot));
@@ -61,8 +61,8 @@ void take_own_files(Arguments& args, RankGroup& team) {
   if (place.resume) return;
   if (team.several())
     throw InputError(
-        "tune: several ranks cannot write a study together; write it first with 'armtune init' and the same "
-        "options, then tune it");
+        "tune: several MPI ranks cannot write a study together; write it first with 'armtune init' and the "
+        "same options, then tune it");
   refuse_used_folder(place.folder);
   make_controller_study(args.own, beside);
 }
@@ -86,7 +86,8 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
   TuneSettings& settings = args->settings;
   settings.workers = default_workers();
-  CLI::App* command = app.add_subcommand("tune", "Tune gains: run a study and write a run folder");
+  CLI::App* command =
+      app.add_subcommand("tune", "Tune the gains of a study, and write the results to a run folder");
   CLI::Option* study = command->add_option("STUDY", args->study,
                                            "a bundled study, such as ur10_gaze, or a YAML file of your own");
   add_controller_option(*command, args->controller);
@@ -96,14 +97,14 @@ void add_tune_command(CLI::App& app, int& exit_code) {
                   settings.workers, settings.deadline);
   command
       ->add_option("--max-evaluations", args->max_evaluations,
-                   "number of evaluations, start gains included (default: the study's)")
+                   "number of evaluations, start gains included (default: study's value)")
       ->check(CLI::Range(1L, 1000000000L));
   command
-      ->add_option("--seed", args->seed, "seed of algorithms that use random numbers (default: the study's)")
+      ->add_option("--seed", args->seed, "seed of algorithms that use random numbers (default: study's seed)")
       ->check(CLI::Range(0L, 1000000000000L));
   command
       ->add_option("--record-every", settings.record_every,
-                   "control periods per row of rollout_<scenario>.csv")
+                   "number of control periods between two rows of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_flag(

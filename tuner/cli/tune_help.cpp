@@ -54,41 +54,42 @@ std::string algorithms_text() {
   text += fmt::format(
       R"(
 If a study names no algorithm, the search has two stages, with constraints as penalties. First {} searches
-the whole range of every gain, with half of the evaluations and minutes that the start gains and the sweep
-leave. Then {} refines the best gains found. scripts/compare-algorithms found this combination best. A warm
-start skips the first stage, unless the study names it with the key global, as the study.yaml of a run does.
+the whole range of every gain, with half of the evaluations and minutes that remain after the start gains
+and the sweep. Then {} refines the best gains found. This combination was the best of those that
+scripts/compare-algorithms compared. A warm start skips the first stage, unless the study names it with the
+key global, as the study.yaml of a run does.
 )",
       silent.global_algorithm, silent.solver.algorithm);
   text +=
       R"(
 Other keys of search:
-  constraints      penalty; lagrangian: an augmented Lagrangian around the algorithm; or auto: the algorithm
-                   itself if it handles constraints, else lagrangian
+  constraints      how constraints are handled. penalty: as penalties; lagrangian: by an augmented
+                   Lagrangian around the algorithm; auto: by the algorithm itself if it can, else lagrangian
   global           algorithm that searches first
-  global_share     its share of the evaluations and minutes that the start gains and the sweep leave
+  global_share     its share of the evaluations and minutes that remain after start gains and sweep
   starts           number of local searches that run at once, from different start points
   differences      finite differences, for algorithms that use them: forward or central
-  difference_step  their step, as a share of each gain's range
+  difference_step  step of the finite differences, as a share of each gain's range
   engine           simbody, or native: armtune's own dynamics, several times faster and equal up to rounding
-  verify_share     with native: share of the evaluations and of max_minutes that is kept for Simbody
+  verify_share     with native: share of the evaluations and of max_minutes that is reserved for Simbody
   max_minutes      limit of the wall time from the start gains to the last evaluation, summed over all
                    sessions of a resumed run
 
-After a native search, Simbody simulates the best gains again, and its figures are reported. Stability
-margins are searched with the same engine, and Simbody confirms that the loop holds on one side of the edge
-and fails on the other. Simbody also confirms the importance of the three most important gains.
+After a native search, Simbody simulates the best gains again, and its figures are reported. The native
+engine also searches for the stability margins; Simbody then confirms that the loop holds at each margin and
+fails just beyond it. Simbody also confirms the importance of the three most important gains.
 
-Evaluations that are running when max_minutes is over are finished. Simbody's last steps are part of that
-time. The time kept for them follows from what the start gains took; the best few points are simulated even
-if it was too short. Final rollouts, report and analysis come after it (--no-analysis leaves the analysis
-out).
+When max_minutes is over, evaluations that have started are still completed. max_minutes includes the last
+evaluations in Simbody. The time reserved for these follows from the time that the start gains took; the best
+few points are simulated even if this time was too short. Final rollouts, report and analysis are not part
+of max_minutes (--no-analysis skips the analysis).
 
 If the best gains fail the endurance or yield check of the verdict, up to three points on the line back to
 the start gains are simulated as well. The first that passes is the result.
 
-Other keys of a study file: 'controller: NAME' tunes another controller than that of the gains file, with
-start gains computed from the arm's inertia. 'warm_start' has the keys from, parameters, box and step, with
-the meanings of --warm-start, --warm-parameters, --warm-box and --warm-step of armtune tune.
+Other keys of a study file: 'controller: NAME' tunes another controller than the one in the gains file,
+with start gains computed from the arm's inertia. 'warm_start' has the keys from, parameters, box and step,
+with the meanings of --warm-start, --warm-parameters, --warm-box and --warm-step of armtune tune.
 )";
   return text;
 }
@@ -102,10 +103,10 @@ std::string metrics_text() {
     text += fmt::format("{} {:<34} {} [{}]\n", sign, field.name, field.meaning, field.unit);
   }
   text += R"(
-The search abandons a rollout that breaks a constraint too far to recover. The key hopeless of a constraint
-sets where that is: auto, never, or a value beyond the limit. The default auto means twice the limit of
-joint_velocity/max_ratio, 0.1 rad (m) beyond the limit of joint_position/min_margin, and never for other
-metrics.
+The search abandons a rollout once it breaks a constraint so far that it cannot recover. The key hopeless of
+a constraint sets this threshold: auto, never, or a value beyond the limit. The default auto means twice the
+limit of joint_velocity/max_ratio, 0.1 rad (m) beyond the limit of joint_position/min_margin, and never for
+other metrics.
 A value can be given for an at_most limit of these metrics:
  )";
   for (const Metric m : all_metrics()) {

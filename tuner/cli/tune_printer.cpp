@@ -45,26 +45,27 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
   if (outcome == SearchOutcome::kStart) {
     say(fmt::format(
         "The search found nothing better than the start gains, so {0}/gains.yaml holds the start gains.\n"
-        "{1}Allow more evaluations, or give the parameters other bounds.\n",
+        "{1}Allow more evaluations, or change the bounds of the parameters.\n",
         folder,
         constraints.passed
             ? ""
             : fmt::format("They break a constraint: do not load them on the robot. Failed check: {}.\n"
-                          "Recommended for a further search: the start gains. ",
+                          "Recommended start of a further search: the start gains. ",
                           to_text(constraints))));
     return;
   }
   say(fmt::format("Nothing feasible was found. Failed check: {}.\n", to_text(constraints)));
   if (result.best.objective <= 1.0) {
     say(fmt::format(
-        "{0}/gains.yaml holds the point with the least violation. It breaks a constraint: do not load it "
-        "on the robot. Recommended for a further search: the least violation (--warm-start {0}).\n",
+        "{0}/gains.yaml holds the gains with the least violation. They break a constraint: do not load them "
+        "on the robot. Recommended start of a further search: these gains (--warm-start {0}).\n",
         folder));
   } else {
     say(fmt::format(
-        "{0}/gains.yaml holds the point with the least violation, whose objective is {1:.3g} times the "
-        "start's. The start gains ({0}/start/gains.yaml) break a constraint too: load neither on the robot. "
-        "Recommended for a further search, with more evaluations: the start gains.\n",
+        "{0}/gains.yaml holds the gains with the least violation. Their objective is {1:.3g} times the "
+        "objective of the start gains. The start gains ({0}/start/gains.yaml) break a constraint too: load "
+        "neither on the robot. Recommended start of a further search, with more evaluations: the start "
+        "gains.\n",
         folder, result.best.objective));
   }
 }
@@ -81,8 +82,8 @@ void TunePrinter::began(const Study& study, std::size_t recalled) {
   const std::string& folder = settings_.place.folder;
   if (settings_.live) say(fmt::format("to watch the search, open {}/report.html in a browser\n", folder));
   say(fmt::format(
-      "study {}: {} gains, {} scenarios{}{}; search: {}; engine: {}; budget: {}, {} rollouts per evaluation; "
-      "results go to {}\n",
+      "study {}: {} gains, {} scenarios{}{}. Search: {}; engine: {}; budget: {}, {} rollouts per evaluation. "
+      "Results go to {}\n",
       study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
       study.margins.empty() ? "" : fmt::format(", {} stability margins as constraints", study.margins.size()),
       search_text(study), engine_text(engine_of_search(study)),
@@ -122,20 +123,21 @@ void TunePrinter::found_sensitivity(const Sensitivity& sensitivity) {
 void TunePrinter::searched(const TuneOutcome& so_far) {
   const TuneResult& result = so_far.result;
   const Objective& objective = *so_far.objective;
-  say(fmt::format("{}: objective {:.4f} (start 1{}) after {} evaluations; {}\n", study_.name,
+  say(fmt::format("{}: objective {:.4f} (start gains 1{}) after {} evaluations; {}\n", study_.name,
                   result.best.objective,
                   result.best_of_sweep
                       ? fmt::format(", best of the coarse sweep {:.4f}{}", result.best_of_sweep->objective,
                                     result.best_of_sweep->feasible ? "" : ", not feasible")
                       : "",
                   result.evaluations, result.reason));
-  say(fmt::format("largest velocity ratio {:.4f}{}; {}\n", largest_velocity_ratio(study_, result.best),
-                  robust_text(study_), result.best.feasible ? "every constraint holds" : "NOT feasible:"));
+  say(fmt::format("largest joint velocity {:.4f} of its limit{}; {}\n",
+                  largest_velocity_ratio(study_, result.best), robust_text(study_),
+                  result.best.feasible ? "every constraint holds" : "NOT feasible:"));
   if (result.best.feasible) return;
   if (result.best.status != "completed") say(fmt::format("  {}\n", result.best.status));
   for (std::size_t c = 0; c < objective.constraints().size(); ++c) {
     if (result.best.constraints[c] > 0.0) {
-      say(fmt::format("  {} is missed by {:.4g}\n", objective.constraint_name(c),
+      say(fmt::format("  {} is violated by {:.4g}\n", objective.constraint_name(c),
                       result.best.constraints[c]));
     }
   }
@@ -165,21 +167,21 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
     print_recommendation(outcome.result, outcome.verdict.checks.front(), folder);
     const bool seen = std::find(outcome.files.begin(), outcome.files.end(), kReport) != outcome.files.end();
     say(fmt::format(
-        "wrote {} in {:.0f} s: {}; those of the start gains in start/\nnext: {}{} compare {}/start {}\n",
+        "wrote {} in {:.0f} s: {}; files of the start gains are in start/\nnext: {}{} compare {}/start {}\n",
         folder, outcome.seconds, fmt::join(outcome.files, ", "),
         seen ? fmt::format("open {}/report.html in a browser; or ", folder) : "", program_name(), folder,
         folder));
   }
   if (!outcome.controllers.empty()) {
     say(fmt::format(
-        "{0}/{1} is {2} with the tuned gains and nothing else changed. Read docs/ros.md before the robot "
-        "moves with them.\n",
+        "{0}/{1} is a copy of {2} in which only the gains are changed. Read docs/ros.md before the robot "
+        "moves with the tuned gains.\n",
         folder, outcome.controllers, shown_path(study_.gains)));
   } else if (outcome.ending != Ending::kInterrupted && is_ros_file(study_)) {
     say(fmt::format(
-        "{} with the tuned gains is not written, because a check failed or was left out, or because the file "
-        "cannot hold the gains. 'armtune export {} --into FILE --out NEW' writes it if the file can hold "
-        "them.\n",
+        "A copy of {} with the tuned gains was not written, because a check failed or was left out, or "
+        "because the file cannot hold the gains. 'armtune export {} --into FILE --out NEW' writes the copy "
+        "if the file can hold the gains.\n",
         shown_path(study_.gains), folder));
   }
   if (outcome.ending == Ending::kInterrupted) {

@@ -1,5 +1,5 @@
 #pragma once
-// The output of `armtune tune` about its session, during the work and at its end.
+// Prints the output of `armtune tune`: its progress while it searches for better gains, and its results.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/tune_session.hpp"

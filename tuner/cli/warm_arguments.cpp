@@ -10,11 +10,11 @@ namespace armtune::internal::cli {
 
 void add_warm_options(CLI::App& command, WarmArguments& args) {
   command.add_option("--warm-start", args.from,
-                     "run folder or gains file; the search begins with its gains. The objective stays "
-                     "relative to the study's start gains");
+                     "run folder or gains file with the gains from which the search starts. The objective "
+                     "stays relative to the study's start gains");
   command.add_option("--warm-parameters", args.parameters,
                      "gains to take from --warm-start, such as task_space_gains_p or task_space_gains_p/x; "
-                     "the others begin at the start gains (default: all tuned gains)");
+                     "all other gains start at the study's start gains (default: all tuned gains)");
   command
       .add_option(
           "--warm-box", args.box,
@@ -23,8 +23,8 @@ void add_warm_options(CLI::App& command, WarmArguments& args) {
       ->check(CLI::Range(1e-6, 1.0));
   command
       .add_option("--warm-step", args.step,
-                  "initial step of a warm start, as a share of each gain's range (default: the step of the "
-                  "study, multiplied by the value of --warm-box)")
+                  "initial step of the search from a warm start, as a share of each gain's range (default: "
+                  "the step of the study, multiplied by the value of --warm-box)")
       ->check(CLI::Range(1e-6, 0.5));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The command line options for warm starts.
+// The command line options for a warm start, which lets a search begin at the gains of an earlier run or of
+// a file.
 
 #include <string>
 #include <vector>
@@ -22,8 +23,8 @@ struct WarmArguments {
 
 void add_warm_options(CLI::App& command, WarmArguments& args);
 
-/// Replaces values of the study's warm_start by the options. Throws InputError if options refine a warm start
-/// and there is none, or if the warm start is not valid.
+/// Replaces values of the study's warm_start by the options. Throws InputError if options change a warm start
+/// that neither the command line nor the study gives, or if the warm start is not valid.
 void apply(const WarmArguments& args, Study& study);
 
 }  // namespace armtune::internal::cli

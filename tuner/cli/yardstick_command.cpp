@@ -22,7 +22,7 @@ namespace {
 int run(const YardstickRequest& request) {
   if (request.folder.empty() || !is_there(request.folder + "/."))
     throw InputError(request.folder +
-                     ": is not a folder; give the folder of a run of 'simulate --out' or 'tune'");
+                     ": is not a folder; give the run folder of 'tune' or of 'simulate --out'");
   refuse_used_output(request);
   const Stopwatch watch;
   const std::vector<Scenario> scenarios = rollout_scenarios(request.folder, request.scenarios);
@@ -43,7 +43,7 @@ int run(const YardstickRequest& request) {
 void add_yardstick_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<YardstickRequest>();
   CLI::App* command = app.add_subcommand(
-      "yardstick", "Compare each switch, return and lap of a run with the best that the arm's limits allow");
+      "yardstick", "Compare the target switches, returns and laps of a run with optimal motions");
   command
       ->add_option(
           "RUN", args->folder,
@@ -51,34 +51,40 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option(
       "--scenarios", args->scenarios,
-      "bundled scenarios or scenario files (default: those of the run, by its study.yaml or run.yaml)");
+      "bundled scenarios or scenario files (default: the scenarios that the run's study.yaml or run.yaml "
+      "names)");
   command->add_option("--out", args->out,
                       "new file instead of RUN/yardstick.csv; the run's files and report then stay "
                       "unchanged");
-  command->add_option("--velocity", args->options.velocity, "share of the velocity limits that plans may use")
+  command
+      ->add_option("--velocity", args->options.velocity,
+                   "share of the velocity limits that the optimal motions may use")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  command->add_option("--effort", args->options.effort, "share of the effort limits that plans may use")
+  command
+      ->add_option("--effort", args->options.effort,
+                   "share of the effort limits that the optimal motions may use")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
   command
       ->add_option(
           "--knots", args->options.knots,
-          "number of intervals in each plan's time grid; the plan of a lap has more if they would be longer "
-          "than 25 ms (12.5 ms if targets switch)")
+          "number of intervals in each plan's time grid; the plan of a lap has more if its intervals would "
+          "be longer than 25 ms (12.5 ms if targets switch)")
       ->check(CLI::Range(20, 10000))
       ->capture_default_str();
   command->footer(
-      "Each plan starts from the arm's state at the beginning of the event. It uses the exact model of\n"
-      "the arm and the future motion of targets and obstacles. It keeps the limits of joint position,\n"
-      "velocity and torque at its knots. It is the best plan found from one first guess: a local optimum.\n"
-      "The plan of a switch or return has the least time, the plan of a lap the least error. For a lap,\n"
-      "the RMS gaze errors at the times of the rollout are compared. If the scenario has obstacles, a\n"
-      "plan keeps the gains' influence radius from them, or the least distance of the rollout during the\n"
-      "event if that is smaller. If no such plan is found, the obstacles are ignored, and the column\n"
-      "status shows that. Scenarios are left out if they have a stimulus, if they give the tool's\n"
-      "orientation, or if their task is the position alone. The run's report.html is written again, with\n"
-      "the comparison.\n\n"
+      "Each switch to another target, return to the path and lap of the path is an event. For each event\n"
+      "an optimal motion (plan) is computed. It starts from the arm's state at the beginning of the event,\n"
+      "and uses the exact model of the arm and the future motion of targets and obstacles. It keeps the\n"
+      "limits of joint position, velocity and torque at its knots. It is the best plan found from one\n"
+      "first guess: a local optimum. The plan of a switch or return has the least time, the plan of a lap\n"
+      "the least error. For a lap, the RMS gaze errors at the times of the rollout are compared.\n\n"
+      "If the scenario has obstacles, a plan keeps at least obstacleInfluenceRadius (a gain) away from\n"
+      "them, or the least distance of the rollout during the event if that is smaller. If no such plan is\n"
+      "found, the obstacles are ignored, and the column status shows that. Scenarios are left out if they\n"
+      "have a stimulus (a step or sines), if they give the tool's orientation, or if their task is the\n"
+      "position alone. The run's report.html is written again, with the comparison.\n\n"
       "Example:\n  armtune simulate target_switch --out runs/published\n  armtune yardstick "
       "runs/published\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });

@@ -1,5 +1,6 @@
 #pragma once
-// The files that `armtune yardstick` writes.
+// Writes the result files of `armtune yardstick`. That command compares the rollouts of a run with the best
+// motions that the arm's limits allow.
 
 #include <string>
 #include <vector>
@@ -15,10 +16,12 @@ struct YardstickRequest {
   YardstickOptions options;
 };
 
-/// Throws InputError if `out` is given and already exists.
+/// Throws InputError if `out` is given, and it or the provenance file beside it already exists.
 void refuse_used_output(const YardstickRequest& request);
 
-/// Writes yardstick.csv and its provenance, and rewrites the run's report. Returns their names, as "a, b".
+/// Writes the comparison as a CSV file, and beside it its provenance with the ending .yaml. Without `out`
+/// they are yardstick.csv and yardstick.yaml in the folder; the run's columns.csv and its report are then
+/// updated too. Returns the names of all files written, as "a, b". found: result of measure_rollouts.
 /// seconds: wall time that measuring took. Throws InputError if a file cannot be written.
 std::string write_yardstick(const YardstickRequest& request, const std::vector<Scenario>& scenarios,
                             const RolloutMeasures& found, double seconds);

@@ -28,7 +28,8 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
   std::vector<Pending> pending;
   for (const Scenario& scenario : scenarios) {
     if (scenario.stimulus) {
-      say(fmt::format("{}: left out, because it has a stimulus, which plans do not model\n", scenario.name));
+      say(fmt::format("{}: left out, because plans do not model its stimulus (a step or sines)\n",
+                      scenario.name));
       continue;
     }
     if (scenario.orientation) {

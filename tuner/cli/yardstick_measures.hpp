@@ -1,5 +1,7 @@
 #pragma once
-// Compares the rollouts in a folder with optimal plans, shows the progress, and prints a result per event.
+// Compares recorded rollouts with the best motions that the planner finds within the arm's limits. It shows
+// the progress, and prints one result for each event of a rollout: a target switch, a return to the path, or
+// a lap.
 
 #include <functional>
 #include <string>

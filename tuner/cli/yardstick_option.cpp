@@ -20,8 +20,8 @@ FurtherColumn reacquisition_column(const std::vector<Scenario>& scenarios,
   limit.column = {
       "reacquisition/limit",
       "s",
-      "least possible reacquisition/time within the arm's limits, planned for the switch that took longest, "
-      "from the rollout's state at that switch; empty if no plan was found",
+      "least possible reacquisition/time within the arm's limits, planned from the state of the rollout at "
+      "the target switch that took longest; empty if no plan was found",
       {}};
   limit.values.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios)
@@ -33,14 +33,17 @@ YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scen
                                const std::function<Gains(const Scenario&)>& gains) {
   YardstickFiles files;
   try {
-    say(fmt::format("comparison with the best that the arm's limits allow ({}):\n", folder));
+    say(fmt::format("comparison of {} with optimal motions within the arm's limits:\n", folder));
     const std::vector<Measure> measures = measure_rollouts(folder, scenarios, gains, {}).measures;
     write_text_file(folder + "/yardstick.csv", yardstick_csv(measures));
     files.written = {"yardstick.csv"};
     files.columns = {{"yardstick.csv", yardstick_columns()}};
     if (!stop_requested()) files.errors = {reacquisition_column(scenarios, measures)};
   } catch (const std::exception& error) {
-    fmt::print(stderr, "armtune: warning: the run is finished, but its yardstick failed: {}\n", error.what());
+    fmt::print(stderr,
+               "armtune: warning: the run is finished, but the comparison with optimal motions (--yardstick) "
+               "failed: {}\n",
+               error.what());
   }
   return files;
 }
@@ -51,7 +54,8 @@ void add_yardstick_option(CLI::App& command, bool& wanted) {
   command.add_flag(
       "--yardstick", wanted,
       "also compare each target switch, return to the path and lap with an optimal motion within the arm's "
-      "limits; writes yardstick.csv, and reacquisition/limit in errors.csv (see armtune yardstick)");
+      "limits; writes yardstick.csv, and the column reacquisition/limit of errors.csv (see armtune "
+      "yardstick)");
 }
 
 Yardstick yardstick_if(bool wanted) {

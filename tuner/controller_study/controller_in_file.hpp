@@ -1,5 +1,5 @@
 #pragma once
-// A joint_trajectory_controller read from its ROS parameter file, and the gains of it that a study tunes.
+// Reads a joint_trajectory_controller from its ROS parameter file, and selects the gains of it to tune.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct ControllerInFile {
   std::string file;  ///< name of the file
   std::string text;  ///< contents of the file
   RosController controller;
-  std::vector<std::string> joints;  ///< of the arm, in its order
+  std::vector<std::string> joints;  ///< names of the arm's joints, in its order
   Gains gains;
 };
 
@@ -24,10 +24,10 @@ struct ControllerInFile {
 ControllerInFile read_controller(const std::string& file, const std::string& node,
                                  const std::vector<std::string>& joints);
 
-/// Returns the gains that a study tunes, as lines of its `parameters`: all p, i and d that are not 0. For
-/// effort commands they also include every d of 0 that has a place in the file and whose p is not 0; its
-/// range is from 0 to five times the damping that fits the arm's inertia at q (n). undamped: receives the
-/// joints of these d.
+/// Returns the gains that a study tunes, as lines of its `parameters`: all p, i and d that are not 0. If the
+/// controller commands efforts, a d of 0 is included too, provided that the file has a place for it and that
+/// the joint's p is not 0. Such a d ranges from 0 to five times the damping that fits the arm's inertia at
+/// q (n). undamped: receives the names of the joints with such a d.
 std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
                              std::vector<std::string>& undamped);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Makes a study from files that a robot's user already has: the arm, the parameter file of its controller,
-// and motions.
+// Creates a study, which is armtune's description of a tuning problem, from files that a robot's user already
+// has: the arm, the ROS parameter file of its controller, and motions.
 
 #include <string>
 #include <vector>

@@ -65,8 +65,8 @@ std::vector<std::string> how_extended(const Scenario& scenario) {
   std::vector<std::string> sentences;
   if (scenario.planned && !scenario.has_task()) {
     sentences.emplace_back(
-        "after the planned motion the scenario's task follows; without a task the tool stays where the "
-        "motion ends");
+        "after the planned motion, the arm performs the scenario's task; without a task, the tool stays "
+        "where the motion ends");
   }
   if (scenario.path.spline && !scenario.path.spline->loops())
     sentences.emplace_back("the tool stays at its last waypoint");
@@ -74,8 +74,8 @@ std::vector<std::string> how_extended(const Scenario& scenario) {
     sentences.emplace_back("the orientation stays at its last waypoint");
   if (scenario.stimulus) {
     sentences.emplace_back(std::holds_alternative<Step>(scenario.stimulus->shape)
-                               ? "the step keeps its height"
-                               : "the sines continue");
+                               ? "the step stimulus keeps its height"
+                               : "the sine stimulus continues");
   }
   if (!scenario.schedule.empty()) sentences.emplace_back("the last target of the schedule stays active");
   return sentences;

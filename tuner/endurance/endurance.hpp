@@ -1,6 +1,7 @@
 #pragma once
-// Endurance: simulates scenarios for a long time and finds the first limit that breaks. Scenarios last about
-// a minute. A slow drift (an adaptation that learns from noise, a joint that winds up) shows only later.
+// Tests endurance: simulates scenarios for much longer than their usual minute, and finds the first limit
+// that the arm breaks. A slow drift appears only then, such as an adaptation that learns from noise or a
+// joint that winds up.
 //
 //   const auto results = endure(scenarios, gains, {.minutes = 30.0}, stop);
 //   if (results[0].broken) fmt::print("{}\n", to_string(*results[0].broken));

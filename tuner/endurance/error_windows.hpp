@@ -15,8 +15,8 @@ struct TimeWindow {
 };
 
 /// Returns two windows of equal length in a rollout of `duration` seconds: one after the first minute, one at
-/// its end. They are ten minutes long; if there is less time, the rest is halved. Of a rollout under five
-/// minutes, only the first fifth is skipped.
+/// its end. Each is ten minutes long, or half of the time after the first minute if that is shorter. In a
+/// rollout under five minutes, only the first fifth is skipped in place of the first minute.
 std::array<TimeWindow, 2> compared_windows(double duration);
 
 class ErrorWindows {
@@ -24,9 +24,10 @@ class ErrorWindows {
   /// start_time, duration: of the scenario [s]; period: of control [s].
   ErrorWindows(double start_time, double duration, double period);
 
-  /// Takes in one control period; must be called once per period. It counts what the metrics count as
-  /// tracking: followTrajectory from 1 s after it was entered, outside a slerp. The second after a change of
-  /// the target is left out, since the distance to the next target is no error that grows.
+  /// Adds the errors of one control period; must be called once per period. As in the metrics, only tracking
+  /// counts: the control state followTrajectory, from 1 s after it was entered, and not during a slerp. The
+  /// first second after a change of target is left out, because the distance to a new target is not an error
+  /// that grows with time.
   void look(const Observation& o);
 
   /// The errors of one window.
@@ -37,8 +38,8 @@ class ErrorWindows {
   /// Returns the errors of the first window (0) or the last (1).
   const Errors& errors(std::size_t window) const { return errors_[window]; }
 
-  /// Returns the larger of the position's and the orientation's growth. Growth is the RMS (peak) of the last
-  /// window over that of the first. NaN if a window saw no tracking.
+  /// Returns the larger growth of the position error and the orientation error. Growth is the RMS (or the
+  /// peak) in the last window divided by that in the first. NaN if a window contains no tracking.
   double rms_growth() const;
   double peak_growth() const;
 

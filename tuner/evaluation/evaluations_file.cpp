@@ -46,7 +46,7 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
       "phase of the search: start, sweep, warm, global, search, gradient, verify; in a trade-off: start, "
       "warm, anchor, level, gradient");
   add("engine", "", "engine of the simulation: simbody or native");
-  add("objective", "1", "weighted metrics relative to the start gains, whose objective is 1");
+  add("objective", "1", "objective of the evaluation, relative to the start gains; 1 for the start gains");
   add("feasible", "1", "1 if every constraint holds in every scenario");
   add("violation", "1",
       "sum of the constraint violations relative to their limits; if a scenario did not complete, larger "
@@ -63,7 +63,7 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   }
   for (const MarginDemand& demand : study.margins) {
     add(fmt::format("margin/{}", name(demand.kind)), "1",
-        fmt::format("excess over the limits in the worst scenario with {} at {}; up to 0 the margin holds",
+        fmt::format("largest excess over a limit in any scenario with {} at {}; at most 0 if the limits hold",
                     name(demand.kind), demand.value));
   }
   for (const ExtraColumn& e : extra) columns.push_back(e.column);

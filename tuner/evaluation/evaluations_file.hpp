@@ -27,13 +27,14 @@ class EvaluationsFile {
   EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra = {},
                   AppendFile::Open open = AppendFile::Open::kNew);
 
-  /// Appends one row and hands it to the system. Numbers read back to the same bits, except the wall time,
-  /// which is rounded to milliseconds. A missing value is an empty cell. The wall time is the last column,
-  /// the only one that differs between two runs of one study. A file that replaces an older one does so with
-  /// the first row that is not recalled. Throws FailedError if the disk refuses it.
+  /// Appends one row and passes it to the operating system. Numbers read back bit-identical, except the wall
+  /// time, which is rounded to milliseconds. A missing value is an empty cell. The wall time is the last
+  /// column, the only one that differs between two runs of one study. With AppendFile::Open::kReplace, the
+  /// older file is replaced at the first row that does not come from the journal. Throws FailedError if the
+  /// disk refuses the row.
   void append(const std::string& phase, const Evaluation& e);
-  /// Must be called at the end. The file is then in its place, even if every row was recalled, and outlives a
-  /// power cut.
+  /// Must be called at the end. It replaces an older file even if every row came from the journal, and makes
+  /// the file survive a power cut.
   void finish() {
     file_.publish();
     file_.sync();

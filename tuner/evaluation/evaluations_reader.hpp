@@ -1,5 +1,5 @@
 #pragma once
-// Reads evaluations.csv back.
+// Reads the evaluations of a search back from its table evaluations.csv. `armtune sensitivity` uses them.
 
 #include <string>
 #include <vector>
@@ -15,8 +15,9 @@ struct EvaluationRow {
   double violation = 0.0;
 };
 
-/// Returns every whole row of a study's evaluations.csv. Rows of candidates that an earlier version abandoned
-/// are left out. The table itself leaves out a last row without its line end, which a killed run leaves.
+/// Returns every complete row of a study's evaluations.csv. Rows without an objective are left out; an
+/// earlier version of armtune wrote them for abandoned candidates. CsvTable already leaves out a last row
+/// without its line end, as a killed run may leave behind.
 /// Throws InputError naming file, line and column if the table is not of this study or a number cannot be
 /// read.
 std::vector<EvaluationRow> read_evaluations(const CsvTable& table, const Study& study);

@@ -1,6 +1,6 @@
 #pragma once
-// Makes the evaluations of a run, one after the other. Those that its journal holds are recalled; all further
-// ones come from rollouts.
+// Makes the evaluations that a search requests. In a resumed run, those that were finished before are read
+// from the run's journal. All further ones are simulated, and written to the journal.
 
 #include <atomic>
 #include <chrono>
@@ -27,26 +27,28 @@ class Evaluator {
 
   using TakeIn = std::function<void(const char* phase, Evaluation e)>;
 
-  /// Makes the next evaluations of the run, simulated but not judged. Each is written to the journal as
-  /// soon as it is finished, whatever becomes of the others. Each is passed to `take_in` as soon as all
-  /// before it are: in order, one call at a time, from any thread. False if `stop` became true before all
-  /// were done; of the finished ones, those before the first gap have then been taken in. If the study's
-  /// minutes are over before the last candidate is started, the rest is left out. Throws InputError if the
-  /// journal has another point at that place than the search now requests.
+  /// Makes the next evaluations of the run. Their objective and constraints are not computed yet. Each is
+  /// written to the journal as soon as it is finished, even if an earlier one is not. Each is passed to
+  /// `take_in` as soon as all before it were: in order, one call at a time, from any thread. Returns false if
+  /// `stop` became true before all were done; `take_in` has then received the finished ones before the first
+  /// unfinished one. If the time budget is used up, candidates that are not started are left out, and the
+  /// result is true. Throws InputError if the journal has another evaluation at that place than the search
+  /// now requests.
   bool next(const std::vector<Candidate>& candidates, const Conditions& conditions, const TakeIn& take_in);
 
-  /// True if the run was stopped from outside and nothing is left to recall. A resumed run thus gets at least
-  /// as far as it was before.
+  /// True if the run was stopped from outside and the journal holds no further evaluation. A resumed run thus
+  /// gets at least as far as it was before.
   bool stopped() const { return stop_ && !recalls(count_); }
 
-  /// Sets whose minutes count from here on: they are over `kept` [s] before the study's max_minutes are. A
-  /// search keeps time for what has to follow it; the run itself keeps none. At first they are the run's.
+  /// Sets the time budget that counts from now on. It ends `kept` [s] before the study's max_minutes are
+  /// over, so that a search leaves time for the steps after it. Before the first call the budget is that of
+  /// the whole run, with nothing reserved.
   void use(Minutes minutes, double kept = 0.0);
 
-  /// False once the minutes are over. In a resumed run they are over where they were before, and the time
-  /// before the interruption counts.
+  /// True if the time budget is not used up. In a resumed run it ends at the same evaluation as before, and
+  /// the time before the interruption counts.
   bool time_left();
-  /// True if they were over at the last call of time_left().
+  /// True if the last call of time_left() returned false.
   bool time_was_up() const { return time_was_up_; }
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-// Simulates search points of a study.
+// Simulates points of a search. Each point stands for one set of gains, with which the arm is simulated in
+// every scenario of the study.
 
 #include <atomic>
 #include <functional>
@@ -11,14 +12,16 @@
 
 namespace armtune::internal {
 
-/// Returns the plan that workers of a study need. deadline: of one rollout [s], 0 for the default.
+/// Returns the data from which worker threads and processes simulate the rollouts of a study: scenarios,
+/// random arms and integration method. deadline: wall-clock limit of one rollout [s], 0 for the default.
 RolloutPlan plan_of(const Study& study, double deadline);
 
-/// Returns one evaluation per point, in order, with x, gains and results. An Objective must still judge them.
-/// No value if `stop` became true before all were done.
-/// conditions: with limits per scenario (Objective::end_limits), or without, as for the start gains.
-/// finished: called once per point, as soon as it is whole. Calls come in any order, one at a time, from any
-/// thread.
+/// Returns one evaluation per point, in order, with x, gains and results. Objective and constraints are not
+/// computed yet; Objective::judge does that. No value if `stop` became true before all were done.
+/// conditions: engine, and limits at which rollouts end early (Objective::end_limits). The start gains are
+/// simulated without such limits.
+/// finished: called once per point, as soon as all its scenarios are simulated. Calls come in any order, one
+/// at a time, from any thread.
 std::optional<std::vector<Evaluation>> simulate_points(
     const Study& study, const std::vector<std::vector<double>>& points, CandidateRunner& workers,
     const std::atomic<bool>& stop, const Conditions& conditions = {},

@@ -1,6 +1,6 @@
 #pragma once
-// The gain sets that are tried one after the other on an arm that has no gains yet. They are the starting
-// gains, and variants of them that differ by a few factors.
+// Lists the gain sets that are tried one after the other on an arm that has no gains yet: gains computed from
+// the arm's inertia (starting_gains.hpp), and variants of them that differ by a few factors.
 
 #include <vector>
 
@@ -9,14 +9,15 @@
 
 namespace armtune::internal {
 
-/// Returns factors (n, 1 to 6) on the Kd of `start`. With them no joint at `goal` (n) sags by more than a
-/// fiftieth of its range under a fifth of the arm's weight that the model lacks, unless that takes a factor
-/// above 6. At rest Kd Kp e balances this weight. The factor is 1 for joints without position limits.
+/// Returns factors (n, 1 to 6) on the Kd of `start`, for a controller whose model lacks a fifth of the arm's
+/// weight. At rest, Kd Kp e balances the missing weight. With these factors no joint at `goal` (n) sags by
+/// more than a fiftieth of its range, unless that takes a factor above 6. The factor is 1 for joints without
+/// position limits.
 JointVector holding_firmness(const RobotModel& robot, const JointVector& goal, const Gains& start);
 
-/// Returns `start` under every set of factors that is tried, preferred ones first. Kp and Kd, the adaptation
-/// and both duration gains differ. The first is `start` itself. goal (n): joint positions where the task
-/// begins.
+/// Returns `start` multiplied by each set of factors that is tried, preferred sets first. The factors change
+/// Kp and Kd, the adaptation gain and both duration gains. The first result is `start` itself. goal (n):
+/// joint positions where the task begins.
 std::vector<Gains> first_gain_sets(const RobotModel& robot, const JointVector& goal, const Gains& start);
 
 }  // namespace armtune::internal

@@ -91,7 +91,7 @@ std::string FirstDemands::broken(const Gains& gains) {
   objective.judge(e);
   for (std::size_t c = 0; c < study_.constraints.size(); ++c) {
     if (e.constraints[c] > 0.0)
-      return fmt::format("{} is violated on the arm or on one of {} random arms",
+      return fmt::format("{} is violated with the nominal arm or with one of {} random arms",
                          objective.constraint_name(c), study_.robust->samples);
   }
   return e.feasible ? "" : e.status;

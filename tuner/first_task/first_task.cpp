@@ -47,10 +47,10 @@ class Search {
       for (std::size_t place = 0; place < tasks.size(); ++place) {
         if (progress_) {
           progress_(fmt::format(
-              "trying a first task{}{}{}: place {} of {}{}",
-              options_.mask == TaskMask::kPosition ? ", position only" : "",
-              options_.without_floor ? ", no floor" : "",
-              options_.thorough ? ", ten times as many positions" : "", place + 1, tasks.size(),
+              "looking for a first task{}{}{}: place {} of {}{}",
+              options_.mask == TaskMask::kPosition ? ", tool position only" : "",
+              options_.without_floor ? ", without a floor" : "",
+              options_.thorough ? ", among ten times as many positions" : "", place + 1, tasks.size(),
               pace.slowness == 1.0 ? std::string()
                                    : fmt::format(", {} times the usual duration", pace.slowness)));
         }
@@ -74,7 +74,8 @@ class Search {
   std::string failed() const {
     if (lightest_ < kHeavy) return failed_;
     return fmt::format(
-        "{}; even at the easiest place, holding the arm still takes {:.2g} of the effort limit of joint '{}'",
+        "{}; even at the place with the least load, holding the arm still takes {:.2g} of the effort limit "
+        "of joint '{}'",
         failed_, lightest_, arm_->joints[static_cast<std::size_t>(loaded_)].name);
   }
 
@@ -128,8 +129,8 @@ FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOpti
     if (auto found = search.find()) return *found;
     if (!search.has_place()) continue;
     last = fmt::format(
-        "{}: no gains were found with which {} completes a first task within its limits. The last attempt "
-        "failed: {}. Check limits and masses, or write a scenario and start gains yourself",
+        "{}: no start gains were found with which {} completes an easy motion within its limits. The last "
+        "attempt failed: {}. Check limits and masses, or write a scenario and start gains yourself",
         arm->source, arm->name, search.failed());
   }
   if (last.empty()) default_task(arm, options);  // which says why there is no place
@@ -154,7 +155,7 @@ FirstTask find_first_task(const std::string& robot, const TaskOptions& options, 
   if (const auto cell = cell_of(file, inputs)) {
     if (options.floor) {
       throw InputError(fmt::format(
-          "{}: the key 'cell' already describes the surroundings; leave --floor out, and give 'floor' there",
+          "{}: the key 'cell' describes the surroundings; leave --floor out, and give 'floor' under 'cell'",
           file.path));
     }
     in_cell.cell = *cell;

@@ -1,6 +1,6 @@
 #pragma once
-// Finds a first task for an arm, and gains with which the arm completes it. `armtune robot --task` writes the
-// result.
+// Finds a first task for an arm that has none, such as a circle to follow, and gains with which the simulated
+// arm completes it. `armtune robot --task` writes both to files, as a start for tuning.
 
 #include <functional>
 #include <string>
@@ -25,14 +25,14 @@ struct FirstTask {
 /// - The arm completes the task in Simbody inside its position limits, with at most kFirstTaskRatio of its
 ///   velocity and effort limits.
 /// - If rotor inertia is estimated, it does so also with a third of the estimate and with three times it.
-/// - In armtune's own dynamics the gains keep every demand of the study that is written with them.
-/// - There also nearly all of 60 other random arms keep their limits, and the arm passes the endurance check
-///   of a verdict.
-/// It begins with starting_gains, and changes Kp and Kd, the adaptation and the duration gains. Then it
-/// tries, in this order: other places and slower tasks, places among ten times as many positions, a task of
-/// position alone, and, if no floor was given, all of that without a floor.
-/// robot: a bundled name or a file. workers: threads (>= 1). progress: called with the task tried next.
-/// Throws InputError with the reason if it finds none.
+/// - In armtune's own dynamics the gains satisfy every constraint of the study that is written with them.
+/// - Also in armtune's own dynamics, nearly all of 60 other random arms keep their limits, and the arm passes
+///   the endurance check, a simulation for a long time.
+/// The search begins with starting_gains, and varies Kp and Kd, the adaptation gain and the duration gains.
+/// If none of them pass, it tries, in this order: other places and slower tasks, places among ten times as
+/// many positions, a task of position alone, and, if no floor was given, all of that without a floor.
+/// robot: a bundled name or a file. workers: threads (>= 1). progress: called with a description of the task
+/// tried next. Throws InputError with the reason if it finds none.
 FirstTask find_first_task(const std::string& robot, const TaskOptions& options, int workers = 1,
                           const std::function<void(const std::string&)>& progress = {});
 

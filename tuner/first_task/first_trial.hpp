@@ -1,5 +1,5 @@
 #pragma once
-// Tries gain sets on one task until the arm completes it.
+// Tries several sets of gains on one task until, with one of them, the arm completes the task.
 
 #include <optional>
 #include <string>
@@ -23,7 +23,8 @@ class FirstTrial {
   /// workers: threads (>= 1).
   FirstTrial(const DefaultTask& task, int workers);
 
-  /// Returns the first of the gain sets (first_gain_sets.hpp) that passes all tests of find_first_task.
+  /// Returns the first of the gain sets (first_gain_sets.hpp) that passes all tests of find_first_task, or
+  /// nothing.
   std::optional<TriedGains> find();
 
   /// Returns how the last gain set failed, as a clause.

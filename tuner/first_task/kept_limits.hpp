@@ -1,5 +1,6 @@
 #pragma once
-// Tests whether a rollout stays within a share of its arm's limits, and describes how it fails to.
+// Tests whether a rollout stays within a given fraction of the arm's velocity and effort limits, and names
+// the limit that it breaks. Gains for a first task must leave such a reserve.
 
 #include <string>
 
@@ -19,7 +20,8 @@ bool keeps_limits(const RolloutResult& result, double share);
 /// Returns the limits at which keeps_limits becomes false, so that a rollout can be abandoned there.
 EndLimits ends_of_kept_limits(const Scenario& scenario, double share);
 
-/// Returns how a rollout for which keeps_limits is false fails, as a clause.
+/// Returns which limit a rollout broke, or why it ended early, as a clause. keeps_limits must be false for
+/// the rollout.
 std::string lost_limits(const RolloutResult& result, double share);
 
 }  // namespace armtune::internal

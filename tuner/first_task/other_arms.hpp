@@ -1,5 +1,6 @@
 #pragma once
-// Tests first gains on random arms that differ from the model.
+// Tests gains on random arms, whose parameters differ from those of the arm's model. Gains for a first task
+// must pass this test.
 
 #include "core/control/gains.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -8,13 +9,13 @@ namespace armtune::internal {
 
 inline constexpr int kOtherArms = 60;
 
-/// Returns how many of these arms may break a limit. It is half the share that a verdict allows, because a
-/// search brings the arm closer to its limits.
+/// Returns how many of the kOtherArms random arms may break a limit. It is half of the share that the final
+/// checks of a tuning allow, because a search brings the arm closer to its limits.
 int most_lost_arms();
 
 /// True if all but most_lost_arms() of kOtherArms random arms keep their limits in the scenario. Torque may
-/// saturate in 1 % of the periods, as in a verdict. The arms are others than those that the study or its
-/// verdict simulates. They are simulated in armtune's own dynamics. workers: threads (>= 1).
+/// saturate in 1 % of the control periods, as in the final checks. The arms differ from those that the study
+/// or its final checks simulate. They are simulated in armtune's own dynamics. workers: threads (>= 1).
 bool nearly_all_hold(const Scenario& scenario, const Gains& gains, int workers);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// Loads studies. If the arm does not complete a scenario with a study's own start gains, or shakes, these
-// gains cannot serve as a reference, and others replace them.
+// Loads a study, and replaces its start gains if they are unusable as the reference that tuned gains are
+// compared with. They are unusable if, with them, the arm does not complete a scenario or a joint oscillates.
 
 #include <string>
 
@@ -9,10 +9,11 @@
 namespace armtune::internal {
 
 /// Reads a study like load_study, and simulates it with the file's start gains in armtune's own dynamics. If
-/// the arm does not complete every scenario, or shakes (shake_watch.hpp), it tries armtune's first gains. If
-/// the arm completes all scenarios with these and does not shake, the study begins with them, and its
-/// `given` has the file's gains. Otherwise the study is as its file says. workers: threads (>= 1). Throws
-/// InputError like load_study, and if only first gains complete the study, but its bounds exclude them.
+/// the arm does not complete every scenario, or shakes (shake_watch.hpp), it computes other start gains
+/// (first_gain_sets.hpp). If the arm completes all scenarios with these and does not shake, they become the
+/// start gains of the study, and its `given` has the file's gains. Otherwise the study is returned as its
+/// file gives it. workers: threads (>= 1). Throws InputError like load_study, and if only the computed gains
+/// complete the study, but its bounds exclude them.
 Study load_steady_study(const std::string& name_or_path, const std::string& controller, int workers);
 
 }  // namespace armtune::internal

@@ -50,7 +50,8 @@ GainsFormat gains_format_from_name(const std::string& name) {
   const auto& names = gains_format_names();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw InputError(fmt::format("format '{}': is not one of {}", name, fmt::join(names, ", ")));
+    throw InputError(
+        fmt::format("'{}' is not a gains format; give one of: {}", name, fmt::join(names, ", ")));
   return static_cast<GainsFormat>(found - names.begin());
 }
 

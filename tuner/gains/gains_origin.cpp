@@ -119,8 +119,8 @@ Rows origin_of_run(const std::string& folder, bool with_figures) {
   const bool figures = with_figures && !changed;
   if (changed) {
     rows.emplace_back("warning",
-                      "gains.yaml was changed after the run; objective, limits and margins of the run do not "
-                      "apply to these gains, simulate them");
+                      "gains.yaml was changed after the run, so objective, limits and margins of the run do "
+                      "not apply; simulate these gains");
   }
   for (const auto& [key, what] : kOfRun) {
     const bool of_best = std::string_view(key) == "objective" || std::string_view(key) == "feasible";

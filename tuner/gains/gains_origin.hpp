@@ -1,6 +1,6 @@
 #pragma once
-// The origin of gains, and how near to its limits the arm came with them in simulation. It is written into
-// gain files, for people who find them on a robot.
+// Describes where gains come from, and how close to its limits the arm came with them in simulation. The
+// description is written into exported gains files, for people who find such a file on a robot.
 
 #include <string>
 #include <utility>
@@ -13,9 +13,10 @@ namespace armtune::internal {
 /// - from errors.csv the largest use of velocity and torque limits, and the smallest distance to a position
 ///   limit;
 /// - from margins.csv the stability margins, such as delays and gain factors;
-/// - every input with its hash.
-/// Leaves out what the run does not have. Leaves out figures if gains.yaml was changed since, or if
-/// `with_figures` is false. Throws InputError if a file of the run cannot be read.
+/// - the hashes of gains.yaml and of every input.
+/// Rows that the run has no data for are left out. Objective, feasibility, limits and margins are left out if
+/// gains.yaml was changed after the run, or if `with_figures` is false. Throws InputError if a file of the
+/// run cannot be read.
 std::vector<std::pair<std::string, std::string>> origin_of_run(const std::string& folder,
                                                                bool with_figures = true);
 

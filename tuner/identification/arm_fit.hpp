@@ -1,7 +1,7 @@
 #pragma once
-// Measures how well logged torques can be explained by an arm whose parameters are near those of the robot
-// file, with any friction. Possible mistakes in a log are compared by this measure. A change of torques
-// (order, scale, sign) reuses the moments of the regressor; a change of the motion needs new ones.
+// Fits an arm close to the robot file, with any friction, to logged torques, and measures how well that arm
+// explains them. Possible mistakes in a log are compared by this measure (log_mistakes.hpp). If only torques
+// change (order, scale, sign), the moments of the regressor are reused; a changed motion needs new ones.
 
 #include <vector>
 
@@ -11,7 +11,8 @@
 
 namespace armtune::internal {
 
-/// The second moments of the regressor's rows and of all logged torques, for one reading of the motion.
+/// The second moments of the regressor's rows and of all logged torques, for one interpretation of the logged
+/// motion.
 struct ArmMoments {
   std::vector<Eigen::MatrixXd> YtY;               ///< [joint]: 13 n x 13 n, mean over the instants
   std::vector<std::vector<Eigen::VectorXd>> YtT;  ///< [joint][torque column]: 13 n
@@ -20,7 +21,8 @@ struct ArmMoments {
 
 ArmMoments arm_moments(const Chain& chain, const std::vector<LogInstant>& instants);
 
-/// A way to read the logged torques: that of joint j is sign[j] * scale * torque column column[j].
+/// An interpretation of the logged torques: the torque of joint j is sign[j] * scale * torque column
+/// column[j].
 struct TorqueReading {
   std::vector<int> column;
   JointVector sign;
@@ -35,7 +37,7 @@ struct ArmFit {
   /// torque that the robot file predicts, half a percent of the effort limit. 0 to about 1.
   JointVector unexplained;
   double distance = 0.0;  ///< not set by ArmFitter: always 0
-  double cost = 0.0;      ///< weighted squares of `unexplained` and of the links' change; small: likely
+  double cost = 0.0;      ///< weighted squares of `unexplained` and of the links' change; less is better
 };
 
 /// Fits physically valid arms to moments.
@@ -44,6 +46,7 @@ class ArmFitter {
   /// noise (n): standard deviation of the torques' noise, which no arm explains [N m, N].
   ArmFitter(const RobotModel& model, const JointVector& noise);
 
+  /// Fits all parameters. Links that differ from the robot file's add to the cost.
   ArmFit fit(const ArmMoments& moments, const TorqueReading& reading) const;
   /// Fits rotor inertia and friction only, with the robot file's own links.
   ArmFit fit_joints_only(const ArmMoments& moments, const TorqueReading& reading) const;

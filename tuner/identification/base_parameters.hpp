@@ -1,7 +1,8 @@
 #pragma once
-// Base parameters: the combinations of theta that an arm's motion can tell apart, and no more. Gautier,
-// Numerical calculation of the base inertial parameters of robots, 1991: if a column of the regressor depends
-// on the columns before it in every state, its parameter is regrouped into theirs.
+// Computes base parameters: the smallest set of combinations of theta, an arm's inertial and friction
+// parameters, that determines its dynamics. Only these can be identified from logs. If a column of the
+// regressor depends on the columns before it in every state, its parameter is regrouped into theirs (Gautier,
+// Numerical calculation of the base inertial parameters of robots, 1991).
 
 #include <Eigen/Core>
 #include <string>
@@ -19,7 +20,7 @@ struct BaseParameters {
   int rank() const { return static_cast<int>(independent.size()); }
 };
 
-/// Returns the typical size of every parameter of such an arm (13 n), above zero even where the robot file
+/// Returns the typical size of every entry of theta for the arm (13 n), above zero even where the robot file
 /// has zero. First moments and inertias follow from the links' masses and widths. Rotor inertia and friction
 /// are the file's, but at least so large that they take a part of the effort limit: rotor inertia 1 % at
 /// 1 rad/s^2, viscous friction 2 % at the velocity limit, Coulomb friction 2 %.

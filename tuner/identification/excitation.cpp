@@ -92,8 +92,10 @@ Excitation load_excitation(const std::string& path, const std::vector<std::strin
   e.cosine = read_coefficients(cosine, joints);
   if (e.cosine.cols() != e.sine.cols()) cosine.fail("must have as many harmonics as 'sine'");
   if (e.frequency * static_cast<double>(e.sine.cols()) > kFastestHarmonic) {
-    cosine.fail(fmt::format("{} harmonics of {} Hz are too fast; the highest frequency may be {} Hz",
-                            e.sine.cols(), e.frequency, kFastestHarmonic));
+    cosine.fail(
+        fmt::format("{} harmonics of the base frequency {} Hz are too fast; the highest frequency "
+                    "may be {} Hz",
+                    e.sine.cols(), e.frequency, kFastestHarmonic));
   }
   map.finish();
   return e;

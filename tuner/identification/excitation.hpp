@@ -1,6 +1,7 @@
 #pragma once
-// An exciting trajectory: a finite Fourier series for each joint around a centre, faded in and out by
-// quintics. Swevers et al., Optimal robot excitation and identification, 1997.
+// An exciting trajectory, from whose log an arm's parameters can be identified: a finite Fourier series for
+// each joint around a centre, faded in and out by quintics (Swevers et al., Optimal robot excitation and
+// identification, 1997).
 
 #include <string>
 #include <vector>

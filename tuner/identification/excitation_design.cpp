@@ -191,13 +191,15 @@ void check(const RobotModel& model, const ExcitationOptions& o) {
     }
   }
   if (o.frequency * o.harmonics > kFastestHarmonic) {
-    throw InputError(fmt::format("{} harmonics of {} Hz are too fast; the highest frequency may be {} Hz",
-                                 o.harmonics, o.frequency, kFastestHarmonic));
+    throw InputError(
+        fmt::format("{} harmonics of the base frequency {} Hz are too fast; the highest "
+                    "frequency may be {} Hz",
+                    o.harmonics, o.frequency, kFastestHarmonic));
   }
   if (o.fade > 0.5 * o.duration)
     throw InputError(
-        fmt::format("two fades of {} s do not fit in {} s; shorten the fade or lengthen the "
-                    "duration",
+        fmt::format("fade-in and fade-out of {} s each do not fit in a duration of {} s; shorten the fade or "
+                    "lengthen the duration",
                     o.fade, o.duration));
 }
 
@@ -278,9 +280,10 @@ ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOpti
   if (violation(design.use, options) > 0.0 && !stop) {
     throw InputError(fmt::format(
         "no trajectory around this centre keeps the limits. The best one uses {:.3g} of the effort limits "
-        "and {:.3g} of the velocity limits (at most {}). It moves {:.3g} away from the centre (at most {}), "
-        "{:.3g} from the nearest position limit, and down to a height of {:.3g} m (at least {}). Move the "
-        "centre, lower the amplitude or the frequency, or raise the margin",
+        "and {:.3g} of the velocity limits (at most {} is allowed). It moves up to {:.3g} rad or m from the "
+        "centre (at most {} is allowed). Its least distance to a position limit is {:.3g} rad or m, and its "
+        "least height is {:.3g} m (at least {} is required). Move the centre, lower the amplitude or the "
+        "frequency, or raise --margin",
         design.use.effort_ratio, design.use.velocity_ratio, options.margin, design.use.distance,
         options.amplitude, design.use.position_margin, design.use.lowest, options.min_height));
   }

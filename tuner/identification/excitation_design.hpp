@@ -1,5 +1,6 @@
 #pragma once
-// Designs the exciting trajectory whose regressor has the smallest condition number inside the arm's limits.
+// Designs an exciting trajectory: a motion from whose log an arm's inertial and friction parameters can be
+// identified well. It minimises the condition number of the regressor within the arm's limits.
 
 #include <atomic>
 #include <functional>
@@ -24,8 +25,8 @@ struct ExcitationOptions {
   std::function<void(long evaluations, double condition)> progress;
 };
 
-/// The use that a trajectory makes of the arm: largest shares of the limits, lowest point, and how well it
-/// excites the parameters.
+/// The figures of a trajectory: the largest fractions of the arm's limits that it uses, its lowest point, and
+/// how well it excites the parameters.
 struct ExcitationUse {
   double condition = 0.0;        ///< condition number of the base regressor with columns of unit length
   double distance = 0.0;         ///< largest distance from the centre [rad, m]

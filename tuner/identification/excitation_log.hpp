@@ -1,5 +1,6 @@
 #pragma once
-// Simulates an arm that follows an exciting trajectory, and the log that its sensors would give.
+// Simulates an arm that follows an exciting trajectory (excitation.hpp), and returns the log that its sensors
+// would record. The log tests an identification before it is made on the real arm.
 
 #include <atomic>
 
@@ -29,7 +30,8 @@ struct ExcitationLog {
 /// Simulates the scenario's arm with its noise, delay, friction and seed, but without its task. The arm moves
 /// from its start pose to the centre in 3 s and then along the trajectory, under tau = Y theta - Kd S with
 /// the model's theta. The log has measured positions and velocities. Its torque is that of a joint's sensor:
-/// the mean of the torques that act before and after the instant. Throws InputError if the arm cannot follow.
+/// the mean of the torques that act before and after the instant. Throws InputError if the arm is more than
+/// 0.5 rad or 0.5 m off the trajectory.
 ExcitationLog simulate_excitation(const Scenario& scenario, const Excitation& excitation,
                                   const ExcitationLogOptions& options, const std::atomic<bool>& stop);
 

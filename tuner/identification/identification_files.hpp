@@ -1,5 +1,5 @@
 #pragma once
-// The files that `armtune identify` writes, as texts.
+// Generates the text of the files that `armtune identify` writes.
 
 #include <string>
 #include <vector>

@@ -142,15 +142,15 @@ class Passes {
     stream.check_velocities();
     if (count == 0) {
       throw InputError(
-          fmt::format("{}: {} samples of {:.4g} s are shorter than the filters' window at a cutoff of {} Hz; "
-                      "log longer or raise --cutoff",
+          fmt::format("{}: {} samples with a period of {:.4g} s are too few for the filters at a cutoff of "
+                      "{} Hz; log longer or raise --cutoff",
                       logs_[i], stream.samples(), log.period(), options_.rows.cutoff));
     }
   }
 
   void check_first_pass() const {
     if (fitted_.count() * model_.n() <= base_.rank()) {
-      throw InputError(fmt::format("{}: {} rows for {} base parameters are too few; log longer",
+      throw InputError(fmt::format("{}: {} equations are too few to identify {} base parameters; log longer",
                                    logs_.front(), fitted_.count() * model_.n(), base_.rank()));
     }
     check_motion(model_, instants_.kept(), logs_name(logs_));

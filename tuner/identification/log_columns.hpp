@@ -1,5 +1,6 @@
 #pragma once
-// The column map of `armtune identify --columns`: which columns of a log hold what, and in which units.
+// The column map of `armtune identify --columns FILE`. It names the columns of a log that hold the time and
+// each joint's position, velocity and torque, and gives their units.
 
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ LogColumns default_log_columns(const RobotModel& model);
 /// `torque`. Each of the last three has `columns`, a list of n column names or a map from joint names to
 /// column names, and may have `scale`: one number, a list of n numbers or a map from joint names to numbers.
 /// `units` (file_units.hpp) gives the units of all columns at once; velocities are per second. Throws
-/// InputError.
+/// InputError if the file does not have this form.
 LogColumns load_log_columns(const std::string& path, const RobotModel& model);
 
 }  // namespace armtune::internal

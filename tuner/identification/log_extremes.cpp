@@ -40,15 +40,15 @@ double high_value(const std::vector<LogInstant>& instants,
   return *place;
 }
 
-/// "; in degrees they would fit: set `scale: ...`", with the first unit that brings the value below the
+/// "; if the log is in degrees, set `scale: ...`", with the first unit that brings the value below the
 /// limit.
 std::string hint(double value, double limit, std::initializer_list<Unit> units, const char* key) {
   for (const Unit& unit : units) {
     if (value * unit.scale > limit) continue;
-    return fmt::format("; in {} it would fit, with `scale: {}` for `{}` in the column map (--columns FILE)",
+    return fmt::format("; if the log is in {}, set `scale: {}` for `{}` in the column map (--columns FILE)",
                        unit.name, unit.scale, key);
   }
-  return fmt::format("; check the columns of `{}`, their units, and --robot", key);
+  return fmt::format("; check the {} columns, their units, and --robot", key);
 }
 
 class LimitCheck {
@@ -108,7 +108,7 @@ class LimitCheck {
     if (std::any_of(instants_.begin(), instants_.end(),
                     [&](const LogInstant& at) { return at.torque[joint_] != 0.0; }))
       return;
-    fail(fmt::format("its {} is always 0; log it, or check the columns of `torque`", effort_.name));
+    fail(fmt::format("its {} is always 0; log it, or check the torque columns", effort_.name));
   }
 
  private:
@@ -151,8 +151,8 @@ void check_motion(const RobotModel& model, const std::vector<LogInstant>& instan
   }
   if ((highest - lowest).maxCoeff() > kLeastMotion) return;
   throw InputError(fmt::format(
-      "{}: no joint moves by more than {} rad or m, which says next to nothing about the masses of {}; log a "
-      "motion of all joints, such as one that `armtune excite` designs, or check the columns of `position`",
+      "{}: no joint moves by more than {} rad or m, so that the masses of {} cannot be identified; log a "
+      "motion of all joints, for example one from `armtune excite`, or check the position columns",
       logs, kLeastMotion, model.name));
 }
 

@@ -7,8 +7,8 @@
 
 namespace armtune::internal {
 
-/// Throws InputError if no joint's position varies by more than 0.01 rad or 0.01 m: such a log says next to
-/// nothing about masses.
+/// Throws InputError if no joint's position varies by more than 0.01 rad or 0.01 m. Such a log contains
+/// almost no information about masses.
 void check_motion(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs);
 
 /// Throws InputError if over 5 % of the instants have a position of more than three times the largest limit,

@@ -91,11 +91,11 @@ std::size_t LogFile::place_of(const LogColumn& column) const {
           "names, or call the {} columns \"1\", \"2\" and so on in a column map (--columns FILE)",
           path_, header_line_, column.name, header_.size()));
     }
-    throw InputError(fmt::format(
-        "{}:{}: there is no column '{}'{}; the columns, separated by {}, are: {}. A column map (--columns FILE) "
-        "says which column holds what",
-        path_, header_line_, column.name, suggestion(column.name, header_), separator_name(separator_),
-        listed(header_)));
+    throw InputError(
+        fmt::format("{}:{}: there is no column '{}'{}; the columns, separated by {}, are: {}. Name the right "
+                    "columns in a column map (--columns FILE)",
+                    path_, header_line_, column.name, suggestion(column.name, header_),
+                    separator_name(separator_), listed(header_)));
   }
   if (std::find(found + 1, header_.end(), column.name) == header_.end())
     return static_cast<std::size_t>(found - header_.begin());
@@ -135,18 +135,17 @@ void LogFile::check_rate(double duration, long steps) const {
   const double mean = duration / static_cast<double>(steps);
   if (std::abs(mean - period_) <= (kDrift + 2.0 * kJitter / static_cast<double>(steps)) * period_) return;
   throw InputError(
-      fmt::format("{}:{}: {} steps take {:.6g} s each, the first ones {:.6g} s; the filters need one rate "
-                  "(within {} %), so "
-                  "resample the log",
-                  path_, lines_.number(), steps, mean, period_, 100.0 * kDrift));
+      fmt::format("{}:{}: up to this line the mean time step is {:.6g} s, but at the start of the log it is "
+                  "{:.6g} s; the filters need one rate (within {} %), so resample the log",
+                  path_, lines_.number(), mean, period_, 100.0 * kDrift));
 }
 
 void LogFile::check_step(double step, long line) const {
   if (std::abs(step - period_) < kJitter * period_) return;
   throw InputError(
-      fmt::format("{}:{}: a step of {:.6g} s among steps of {:.6g} s; the filters need even steps (within {} "
-                  "%), so resample the "
-                  "log, or cut it where samples are missing and give both parts",
+      fmt::format("{}:{}: a step of {:.6g} s, but the mean step is {:.6g} s; the filters need equal steps "
+                  "(within {} %). Resample the log, or split it where samples are missing and give both "
+                  "parts",
                   path_, line, step, period_, 100.0 * kJitter));
 }
 
@@ -212,8 +211,10 @@ double LogFile::read_time() {
 
 void LogFile::check_time(double time) {
   if (samples_ > 0 && !(time > last_time_)) {
-    throw InputError(fmt::format("{}:{}: column '{}': {} does not rise above the row before it", path_,
-                                 lines_.number(), columns_.time.name, shown(cells_[time_place_])));
+    throw InputError(
+        fmt::format("{}:{}: column '{}': {} is not above the value of the row before; sort the rows by time, "
+                    "or remove this one",
+                    path_, lines_.number(), columns_.time.name, shown(cells_[time_place_])));
   }
   if (samples_ > kStretch) {
     check_step(time - last_time_, lines_.number());

@@ -1,6 +1,6 @@
 #pragma once
-// Reads logs of joint positions, velocities and torques sample by sample. A log is a text table, from a
-// rollout or from a real robot.
+// Reads a log of joint positions, velocities and torques sample by sample. A log is a text table that was
+// recorded on a real robot or in simulation.
 
 #include <deque>
 #include <optional>
@@ -20,10 +20,11 @@ struct LogSample {
   JointVector torque;
 };
 
-/// Reads a log from its start. Blank lines before it are skipped. If the first line holds numbers only, the
-/// log has no column names, and its columns are called 1, 2, 3 and so on. Throws InputError with file, line
-/// and column for a log that is not intact: missing or doubled columns, lines of more than 1 MB, rows of
-/// another length, text that is not a finite number, times that do not rise evenly.
+/// A log that is read from its start. Blank lines at the start of the file are skipped. If the first line
+/// after them holds numbers only, the log has no column names, and its columns are called 1, 2, 3 and so on.
+/// Throws InputError with file, line and column for a log that is not intact: missing or doubled columns,
+/// lines of more than 1 MB, rows of another length, text that is not a finite number, times that do not rise
+/// evenly.
 class LogFile {
  public:
   LogFile(const std::string& path, const LogColumns& columns);

@@ -1,8 +1,8 @@
 #pragma once
-// A few instants of the logs' filtered motion, spread evenly over all that was read, and the noise of the
-// torques. They allow many comparisons of a log with the robot file without reading the log again.
-// The motion has passed the same filters as the rows of the regression. Behind the first filter alone, the
-// noise of the positions would make accelerations out of nothing for a joint that stands still.
+// Keeps evenly spaced samples of the filtered motion in robot logs, and estimates the noise of the torques.
+// With them a log can be compared with the robot file many times without reading it again. The motion has
+// passed the same two filters as the rows of the regression (row_stream.hpp). The second filter is needed:
+// after the first alone, noise in the positions would look like acceleration of a joint that stands still.
 
 #include <vector>
 
@@ -11,10 +11,10 @@
 namespace armtune::internal {
 
 struct LogInstant {
-  JointVector q;    ///< [rad, m]
-  JointVector qd;   ///< [rad/s, m/s]
-  JointVector qdd;  ///< [rad/s^2, m/s^2]
-  JointVector torque;
+  JointVector q;       ///< [rad, m]
+  JointVector qd;      ///< [rad/s, m/s]
+  JointVector qdd;     ///< [rad/s^2, m/s^2]
+  JointVector torque;  ///< [N m, N]
 };
 
 /// Keeps every 2^k-th of the added values. k grows with their number, so that at most kMost are kept.
@@ -52,9 +52,10 @@ class LogInstants {
   void add(const LogInstant& instant) { instants_.add(instant); }
 
   const std::vector<LogInstant>& kept() const { return instants_.kept(); }
-  /// Returns the standard deviation of the noise of the instants' torques (n), which are those of the
-  /// regression's rows, if the noise is white in the samples. It comes from the median of the second
-  /// differences. A smooth torque hardly has any, and the edges of friction are rare.
+  /// Returns the standard deviation of the noise in the filtered torques of the instants (n) [N m, N]. It is
+  /// right if the noise of the logged torques is white. It is estimated from the median of their second
+  /// differences: those of a smooth torque are small, and jumps by friction are rare. Empty if no log has
+  /// three samples.
   JointVector torque_noise() const { return filter_norm_ * logged_torque_noise(); }
 
  private:

@@ -195,7 +195,8 @@ std::string to_text(const LogMistake& mistake, const RobotModel& model) {
   switch (mistake.kind) {
     case MistakeKind::kTorqueScale:
       return fmt::format(
-          "every {} looks 1000 times too {}, as in {}; set `scale: {}` for `torque` in the column map",
+          "every {} looks 1000 times too {}, as if logged in {}; set `scale: {}` for `torque` in the column "
+          "map",
           any_effort, mistake.value < 1.0 ? "large" : "small",
           effort_word_of_all(model,
                              mistake.value < 1.0 ? &EffortWords::thousandth : &EffortWords::thousandfold),
@@ -229,7 +230,7 @@ std::string to_text(const LogMistake& mistake, const RobotModel& model) {
     case MistakeKind::kPositionOffset:
       return fmt::format(
           "the zero position of {} seems to be wrong: its logged position plus {:.0f} degrees would fit the "
-          "robot file",
+          "robot file; correct the log or the URDF",
           name(mistake.joint), mistake.value / kDegree);
     case MistakeKind::kPositionsSwapped:
       return fmt::format(

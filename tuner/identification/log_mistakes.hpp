@@ -1,7 +1,7 @@
 #pragma once
-// Finds common mistakes with logs: units, signs, columns, zero positions, the mounting, another arm.
-// For each mistake the log is read as if the mistake had been made. The reading that an arm near the robot
-// file's explains best is the likely one.
+// Finds common mistakes in a robot's logs before its parameters are identified from them: wrong units, signs,
+// columns, zero positions or mounting, or a log of another arm. Each mistake is corrected on trial. The
+// likely mistake is the one after whose correction an arm close to the robot file explains the log best.
 
 #include <optional>
 #include <string>
@@ -37,10 +37,10 @@ struct LogMistake {
 
 /// The result of a comparison of a log with the robot file.
 struct LogComparison {
-  ArmFit as_logged;   ///< the nearest arm that explains the log, whatever its links
-  ArmFit robot_file;  ///< the robot file's links, whatever its rotor inertia and friction
-  /// True if at least half of the joints move. Otherwise signs, zero positions and columns cannot be judged
-  /// in a log that is explained.
+  ArmFit as_logged;   ///< fit of the unchanged log; links, rotor inertia and friction are free
+  ArmFit robot_file;  ///< fit of the unchanged log; links of the robot file, the rest is free
+  /// True if at least half of the joints move. If fewer move and an arm explains the log, wrong signs, zero
+  /// positions and columns cannot be detected.
   bool most_joints_move = true;
   std::optional<LogMistake> mistake;  ///< none: the log may well be of this arm
 };

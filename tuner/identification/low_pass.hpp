@@ -19,8 +19,9 @@ struct LowPass {
 };
 
 /// Returns a filter that passes half of the amplitude at `cutoff` [Hz]. It is flat within 1e-4 up to half of
-/// the cutoff, and below 1e-4 from one and a half of it. period: between samples [s]; cutoff <= 0.3 / period.
-/// delay [s]: the filtered signal is that of so much earlier; at most a tenth of the kernel's half length.
+/// the cutoff, and below 1e-4 from 1.5 times the cutoff on. period: between samples [s];
+/// cutoff <= 0.3 / period. delay [s]: the result at time t is the filtered signal at t - delay; its size is
+/// at most a tenth of the kernel's half length.
 LowPass low_pass(double cutoff, double period, double delay = 0.0);
 
 /// Returns the half length of the kernel [s].

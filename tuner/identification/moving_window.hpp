@@ -1,5 +1,6 @@
 #pragma once
-// The last samples of a stream of vectors, as one matrix to which a filter's weights can be applied.
+// Stores the last samples of a stream of vectors as one matrix, to which the weights of an FIR filter are
+// applied.
 
 #include <Eigen/Core>
 
@@ -11,7 +12,7 @@ class MovingWindow {
   MovingWindow(Eigen::Index channels, int length, int step)
       : length_(length), step_(step), samples_(channels, 4 * length) {}
 
-  /// Takes a sample (channels). True if a result is due.
+  /// Adds a sample (channels). Returns true if a result is due.
   bool push(const Eigen::VectorXd& sample) {
     if (end_ == samples_.cols()) {
       samples_.leftCols(length_) = samples_.rightCols(length_).eval();

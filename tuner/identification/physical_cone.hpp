@@ -1,8 +1,8 @@
 #pragma once
-// Minimises a quadratic in theta over all physically valid theta (physical_theta.hpp), by the alternating
-// direction method of multipliers (Boyd et al., Distributed optimization and statistical learning via ADMM,
-// 2011). Lengths, masses and joint parameters are scaled by a prior theta, so that all numbers are of similar
-// size.
+// Minimises a quadratic function of theta, an arm's inertial and friction parameters, over all physically
+// valid theta (physical_theta.hpp). It uses the alternating direction method of multipliers (Boyd et al.,
+// Distributed optimization and statistical learning via ADMM, 2011). Lengths, masses and joint parameters are
+// scaled by a prior theta, so that all numbers are of similar size.
 
 #include <array>
 #include <vector>

@@ -26,8 +26,8 @@ Eigen::MatrixXd information(const BaseParameters& base, const Estimate& estimate
                                                              unscale.asDiagonal());
   if (!(eigen.eigenvalues().minCoeff() > -kRounding)) {
     throw InputError(
-        "theta cannot be completed, because the covariance of the estimate is not positive definite; log "
-        "longer");
+        "the full set of arm parameters (theta) cannot be computed, because the covariance of the estimate "
+        "is not positive definite; log longer");
   }
   const Eigen::VectorXd inverse = eigen.eigenvalues().cwiseMax(kRounding * kRounding).cwiseInverse();
   return unscale.asDiagonal() * eigen.eigenvectors() * inverse.asDiagonal() *
@@ -45,7 +45,9 @@ PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimat
   const Eigen::VectorXd c = base.map.transpose() * (C * estimate.theta) + cone.metric() * prior;
   PhysicalMinimum minimum = cone.minimum(Q, c, {});
   if (!minimum.theta.allFinite())
-    throw InputError("theta cannot be completed, because the logs excite too little; log more motion");
+    throw InputError(
+        "the full set of arm parameters (theta) cannot be computed, because the logged motion excites the "
+        "arm too little; log more motion");
   return minimum;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
-// Completes base parameters to a whole theta that some arm could have. Of all physically valid theta
-// (physical_theta.hpp) it is the one whose base parameters are nearest to the estimate in the metric of its
-// covariance. Where the data determine nothing, theta stays near a prior. The problem is convex, a
-// quadratic over cones (Sousa and Cortesao, Physical feasibility of robot base inertial parameter
-// identification, 2014).
+// Completes identified base parameters to theta, the full vector of inertial and friction parameters. Among
+// all physically valid theta (physical_theta.hpp) it finds the one whose base parameters are nearest to the
+// estimate, in the metric of the estimate's covariance. Where the data determine nothing, theta stays near a
+// prior. The problem is convex, a quadratic over cones (Sousa and Cortesao, Physical feasibility of robot
+// base inertial parameter identification, 2014).
 
 #include "tuner/identification/base_parameters.hpp"
 #include "tuner/identification/physical_cone.hpp"

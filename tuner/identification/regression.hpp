@@ -1,7 +1,7 @@
 #pragma once
-// Least squares for theta_base over any number of rows, without keeping the rows. One triangular factor is
-// kept for each joint, so that the joints' weights may change without another pass. The moments that the
-// covariance needs are kept as well.
+// Estimates an arm's base parameters theta_base by weighted least squares over any number of rows
+// (Y_base, tau), without storing the rows. It stores one triangular QR factor for each joint, so that the
+// weights of the joints can change without reading the logs again, and the moments that the covariance needs.
 
 #include <Eigen/Core>
 #include <vector>
@@ -20,8 +20,8 @@ struct Estimate {
   Eigen::VectorXd deviation() const;
 };
 
-/// The knowledge of theta_base before any row: it lies about `value` (rank), within some hundred times `size`
-/// (rank, above zero).
+/// A weak prior for theta_base. Its mean is `value` (rank), and its standard deviation is a hundred times
+/// `size` (rank, above zero).
 struct WeakPrior {
   Eigen::VectorXd value;
   Eigen::VectorXd size;

@@ -1,11 +1,11 @@
 #pragma once
 // Converts a log to rows of the regression tau = Y_base theta_base.
 //
-// There are two zero-phase stages. The first, wide one turns positions into q, q', q'' and torques into tau
-// at a lower rate; there the regressor is formed. The second, at the cutoff, filters every column of Y and
-// tau alike. Both sides of the equation thereby pass the same filter, so that sharp edges, such as those of
-// friction, do no harm (parallel filtering: Gautier, Dynamic identification of robots with power model,
-// 1997).
+// Two zero-phase low-pass filters are applied. The first has a wide band. It turns positions into q, q', q''
+// and torques into tau at a lower rate, and the regressor Y is computed from these. The second has the cutoff
+// of RowOptions and filters every column of Y and tau alike. Both sides of the equation thereby pass the same
+// filter, so that sharp edges, such as those of friction, do no harm (parallel filtering: Gautier, Dynamic
+// identification of robots with power model, 1997).
 
 #include <memory>
 
@@ -19,16 +19,16 @@
 namespace armtune::internal {
 
 struct RowOptions {
-  double cutoff = 5.0;  ///< [Hz] of the second stage: above what the trajectory excites, below the noise
-  double torque_delay = 0.0;  ///< [s] by which the log's torque acts later than its row's time
+  double cutoff = 5.0;  ///< [Hz] of the second filter: above what the trajectory excites, below the noise
+  double torque_delay = 0.0;  ///< [s] by which a logged torque acts later than its time stamp
 };
 
 class RowStream {
  public:
-  /// All arguments must outlive the stream. `instants` receives a sample of the motion and the torques
-  /// behind both filters. Throws
-  /// InputError if the cutoff is not above zero, if the log is too coarse for it, or if the torque delay is
-  /// too long for it. A log that is too short has no rows.
+  /// All arguments but `options` must outlive the stream. `instants` receives samples of the motion and of
+  /// the torques after both filters. Throws InputError if the cutoff is not above zero, if the log has too
+  /// few samples per second for it, or if the torque delay is too long for it. A log that is too short has no
+  /// rows.
   RowStream(const RobotModel& model, const BaseParameters& base, LogFile& log, const RowOptions& options,
             LogInstants& instants);
 

@@ -1,7 +1,7 @@
 #pragma once
-// QR factorisation of tall sparse matrices by SuiteSparse SPQR, whose types stay in sparse_qr.cpp.
-// Davis, Algorithm 915, SuiteSparseQR: multifrontal multithreaded rank-revealing sparse QR factorization,
-// 2011.
+// QR factorisation of tall sparse matrices by SuiteSparse SPQR, whose types are used only in sparse_qr.cpp.
+// Source: Davis, Algorithm 915, SuiteSparseQR: multifrontal multithreaded rank-revealing sparse QR
+// factorization, 2011.
 
 #include <Eigen/SparseCore>
 #include <vector>

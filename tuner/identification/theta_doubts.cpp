@@ -28,8 +28,9 @@ std::string check_joint(const RobotModel& model, int joint, const Unexplained& r
   if (!too_much && !worse) return {};
   const EffortWords effort = effort_words(model, joint);
   return fmt::format(
-      "theta leaves {:.3g} {} of the {} of {} unexplained {} (the {} is {:.3g} there, and the robot file "
-      "leaves {:.3g}); check unit, sign, column and zero position of this joint and of the joints after it",
+      "the identified parameters leave {:.3g} {} of the {} of {} unexplained {} (the {} is {:.3g} there, and "
+      "the robot file leaves {:.3g} unexplained; all are RMS values); check unit, sign, column and zero "
+      "position of this joint and of the joints after it",
       left, effort.unit, effort.name, info.name, which, effort.name, rows.torque[joint], rows.by_file[joint]);
 }
 
@@ -38,10 +39,9 @@ std::string check_joint(const RobotModel& model, int joint, const Unexplained& r
 std::vector<std::string> theta_doubts(const RobotModel& model, const Identification& found) {
   std::vector<std::string> doubts;
   for (int j = 0; j < model.n(); ++j) {
-    std::string doubt =
-        check_joint(model, j, found.fitted, found.torque_noise[j], "on the rows that it was fitted to");
+    std::string doubt = check_joint(model, j, found.fitted, found.torque_noise[j], "on the rows of the fit");
     if (doubt.empty() && found.held_out.rows > 0)
-      doubt = check_joint(model, j, found.held_out, found.torque_noise[j], "on the rows that were held out");
+      doubt = check_joint(model, j, found.held_out, found.torque_noise[j], "on the rows held out of the fit");
     if (!doubt.empty()) doubts.push_back(doubt);
   }
   const ParameterVector file = theta_of(model.chain);
@@ -57,7 +57,7 @@ std::vector<std::string> theta_doubts(const RobotModel& model, const Identificat
     if (mass < kHeavier * file_mass || mass - file_mass < kShareOfArm * file_arm) continue;
     doubts.push_back(
         fmt::format("{} would weigh {:.3g} kg, but the robot file gives {:.3g} kg; check the units of each "
-                    "{}, the zero positions, and whether the robot file has the tool",
+                    "{}, the zero positions, and whether the robot file includes the tool",
                     model.joints[static_cast<std::size_t>(i)].link, mass, file_mass,
                     effort_word_of_all(model, &EffortWords::name)));
   }

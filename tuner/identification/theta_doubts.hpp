@@ -1,5 +1,6 @@
 #pragma once
-// Reasons to doubt an identified theta, from the torques that it leaves unexplained and from its masses.
+// Finds reasons to doubt an identified theta (inertial and friction parameters): torques that it leaves
+// unexplained, and masses far from those of the robot file.
 
 #include <string>
 #include <vector>

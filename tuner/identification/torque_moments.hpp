@@ -1,6 +1,6 @@
 #pragma once
-// Computes how much of the torque in rows (Y_base, tau) a theta_base leaves unexplained. It needs only the
-// rows' second moments; the rows themselves are not kept.
+// Computes the RMS of each joint's residual tau - Y_base theta_base, for any vector of base parameters
+// theta_base. Only the second moments of the rows (Y_base, tau) are stored, not the rows.
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-// Keeps the files that a study or scenario was read from, so that a run folder shows what was simulated.
+// Checks that the files of a study or scenario have not changed since they were read, and keeps their
+// contents in memory. A run then stores copies of them in its folder, which show what was simulated.
 
 #include <memory>
 #include <mutex>
@@ -15,17 +16,17 @@ namespace armtune {
 /// Returns path and hash of each file as it is now.
 InputFiles input_files(const std::vector<std::string>& paths);
 
-/// Return the files of the study and of its scenarios.
+/// Returns the files of the study and of its scenarios, or of the scenarios.
 std::vector<std::shared_ptr<const InputFiles>> files_of(const Study& study);
 std::vector<std::shared_ptr<const InputFiles>> files_of(const std::vector<Scenario>& scenarios);
 
-/// A guard that makes sure that every input of the run in `folder` still has the bytes it was read with, and
-/// that the run keeps copies of them. Without a folder it does nothing. Only one exists at a time: a second
-/// one waits for the first.
+/// A guard that lives as long as a run in `folder`. It makes sure that every input file of the run still has
+/// the bytes it was read with, and that the run can store copies of them. Without a folder it does nothing.
+/// Only one exists at a time: the constructor of a second one waits until the first is destroyed.
 class KeptInputs {
  public:
   /// Throws InputError naming a file that has changed since it was read. Also throws if an entry of `files`
-  /// is null, because then no files contain `what`.
+  /// is null: `what` (a scenario, for example) was then not read from files.
   KeptInputs(const std::string& folder, const std::vector<std::shared_ptr<const InputFiles>>& files,
              const std::string& what);
 

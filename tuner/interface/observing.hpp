@@ -1,5 +1,6 @@
 #pragma once
-// An observer that passes the reports of a session on to a Watch of the public interface.
+// Passes the progress and the warnings of long internal computations (sessions) on to the callbacks that a
+// user of the public interface gives (Watch in armtune/progress.hpp).
 
 #include "armtune/progress.hpp"
 #include "tuner/session/observer.hpp"

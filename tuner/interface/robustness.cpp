@@ -26,7 +26,7 @@ internal::Perturbation perturbation_of(const std::map<std::string, double>& widt
     if (found == fields.end()) {
       std::vector<std::string> known;
       for (const auto& field : fields) known.emplace_back(field.name);
-      throw InputError(fmt::format("perturbation: {} cannot be varied; the quantities are: {}",
+      throw InputError(fmt::format("perturbation: {} cannot be varied; give one or more of: {}",
                                    internal::shown(given.first), fmt::join(known, ", ")));
     }
     perturbation.*found->width = given.second;

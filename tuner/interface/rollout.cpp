@@ -96,7 +96,7 @@ double Rollout::metric(const std::string& name) const {
 std::vector<double> Rollout::column(const std::string& name) const {
   const auto found = std::find(columns_.begin(), columns_.end(), name);
   if (found == columns_.end()) {
-    throw InputError(fmt::format("{}: {} has no such column", scenario_, internal::shown(name)));
+    throw InputError(fmt::format("{}: the recording has no column {}", scenario_, internal::shown(name)));
   }
   std::vector<double> values;
   values.reserve(rows());

@@ -11,9 +11,9 @@
 namespace armtune {
 
 struct RolloutMaker {
-  /// Converts a result without its broken limits. recording: a rollout that has only its recording.
+  /// Converts a result without its broken limits. recording: a rollout that contains only the recorded table.
   static Rollout made(internal::ScenarioResult result, Rollout recording = {});
-  /// Converts a result with its broken limits, for a rollout in which the arm's limits were watched.
+  /// Converts a result with its broken limits. The arm's limits must have been checked during the rollout.
   static Rollout watched(internal::ScenarioResult result, Rollout recording = {});
   /// Moves the recording into the rollout. completed: as for Recorder::rows.
   static void record(Rollout& rollout, internal::Recorder recorder, bool completed);
@@ -32,7 +32,7 @@ inline const std::atomic<bool> never_stopped{false};
 inline const std::atomic<bool>& stop_of(const Watch& watch) {
   return watch.stop != nullptr ? *watch.stop : never_stopped;
 }
-/// Returns the context of a session that no command began.
+/// Returns the data that a session needs if it was started through the library, not by a command.
 inline internal::SessionContext context_of(const Watch& watch) {
   return {stop_of(watch), {{}, "(a program, through armtune's interface)"}};
 }

@@ -52,7 +52,7 @@ void Scenario::set_name(const std::string& name) {
   });
   if (name.empty() || !plain || internal::is_formula(name) || name[0] == '.') {
     throw InputError(
-        fmt::format("name: {}; use letters, digits, '_', '-' and '.', but neither '-' nor '.' first",
+        fmt::format("name: {}; use letters, digits, '_', '-' and '.', and do not start with '-' or '.'",
                     internal::shown(name)));
   }
   if (name == internal::kAllScenarios)

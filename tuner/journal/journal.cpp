@@ -84,8 +84,7 @@ class Lines {
       if (is_there(path))
         throw InputError(
             fmt::format("{}: cannot be opened: {}", path, std::generic_category().message(reason)));
-      throw InputError(path +
-                       ": cannot be read; only a run that has started can be resumed. Start the run again");
+      throw InputError(path + ": cannot be read, so there is no run to resume; start the run again");
     }
   }
   /// False at the end. `whole`: the line has its end.
@@ -118,8 +117,9 @@ class Lines {
       }
       if (line_.size() == kMaxLine) {
         throw InputError(
-            fmt::format("{}:{}: a line of more than {} MB; this is not an armtune journal, or damaged", path_,
-                        number_ + 1, kMaxLine >> 20));
+            fmt::format("{}:{}: this line has more than {} MB; the file is not an armtune journal, or it is "
+                        "damaged",
+                        path_, number_ + 1, kMaxLine >> 20));
       }
       line_ += static_cast<char>(byte);
     }
@@ -142,15 +142,17 @@ RunHeader read_header(Lines& lines, const std::string& path) {
       throw InputError(path + ": this is not an armtune journal, or its start is damaged");
     if (!payload) {
       throw InputError(
-          fmt::format("{}:{}: the journal's header is damaged, so its run is not known; start the run again",
+          fmt::format("{}:{}: the header of the journal is damaged, so the run cannot be resumed; start it "
+                      "again",
                       path, lines.number()));
     }
     std::string_view rest = *payload;
     const std::string_view kind = first_word(rest);
     if (first) {
       if (*payload != kFormat) {
-        throw InputError(fmt::format("{}: {} is not '{}'; another version of armtune wrote this journal",
-                                     path, shown(*payload), kFormat));
+        throw InputError(
+            fmt::format("{}: the format is {}, not '{}'; another version of armtune wrote this journal", path,
+                        shown(*payload), kFormat));
       }
       first = false;
     } else if (kind == kHeaderEnd) {
@@ -166,7 +168,8 @@ RunHeader read_header(Lines& lines, const std::string& path) {
   }
   throw InputError(
       path +
-      ": the header is incomplete, because the run was killed at its start; delete the folder, start again");
+      ": the header is incomplete, because the run was killed at its start; delete the folder and "
+      "start the run again");
 }
 
 }  // namespace
@@ -215,8 +218,8 @@ std::string Journal::read(const RunHeader& now) {
       differences(was, now, [&folder](const std::string& hash) { return copy_of_hash(folder, hash); });
   if (!other.empty()) {
     throw InputError(
-        fmt::format("{}: the run cannot be resumed, because its inputs differ: {}. Restore them{}, or start "
-                    "a new run with --out",
+        fmt::format("{}: the run cannot be resumed, because its inputs have changed: {}. Restore them{}, or "
+                    "start a new run with --out",
                     path_, other, where_copies_are(folder)));
   }
   long damaged = 0;  // number of the first damaged line, none yet

@@ -15,8 +15,8 @@
 
 namespace armtune::internal {
 
-/// The kinds of time budgets of a run: the minutes of the whole run; those that a search may use so that some
-/// are left for its last steps; those that a global search may use so that some are left for the local one.
+/// The time budgets of a run. kRun is that of the whole run. kSearch ends earlier, so that time is left for
+/// the last steps after a search. kGlobal limits a global search, so that time is left for the local one.
 enum class Minutes { kRun, kSearch, kGlobal };
 
 class Journal {
@@ -25,9 +25,9 @@ class Journal {
   static std::unique_ptr<Journal> begin(const std::string& path, const RunHeader& header);
 
   /// Opens a journal to continue it. If the run was killed while it wrote, the incomplete last line is cut
-  /// off, and `warning` says so. patience: how long to wait for another process that writes it [s]. Throws
+  /// off, and `warning` reports it. patience: how long to wait for another process that writes it [s]. Throws
   /// InputError if the file cannot be read, a line is damaged (naming the record), another process is writing
-  /// it, or `now` differs from the run that it was begun for (naming what differs).
+  /// it, or `now` differs from the header in the journal (naming what differs).
   static std::unique_ptr<Journal> resume(const std::string& path, const RunHeader& now, std::string& warning,
                                          double patience = 0.0);
 
@@ -37,11 +37,12 @@ class Journal {
   /// Appends a record and writes it to disk. Throws FailedError if the disk refuses it.
   void append(const JournalRecord& record);
 
-  /// Returns the number of the evaluation before which those minutes were over, if they were.
+  /// Returns the number that the next evaluation had when this time budget was used up; nothing if it was
+  /// not.
   std::optional<std::uint64_t> time_was_up(Minutes minutes = Minutes::kRun) const;
   void time_is_up(std::uint64_t number, Minutes minutes = Minutes::kRun);
 
-  /// Returns the exit code of the program, once all results of the run are written.
+  /// Returns the exit code of a run whose results are all written; nothing for an incomplete run.
   std::optional<int> exit_code() const { return exit_code_; }
   void complete(int exit_code);
 

@@ -1,5 +1,6 @@
 #pragma once
-// A finished evaluation or sample, as one line of the journal.
+// One finished piece of a run's work, stored as one line of its journal: an evaluation of a search, or the
+// rollouts of one random arm of a Monte Carlo analysis (a sample).
 
 #include <cstdint>
 #include <string>

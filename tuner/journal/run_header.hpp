@@ -1,5 +1,6 @@
 #pragma once
-// The identity of a run. A run can be resumed only if it has not changed.
+// The header of a run's journal: the command line, and everything that the results depend on, such as the
+// hashes of the inputs. An interrupted run can be resumed only if none of the latter has changed.
 
 #include <functional>
 #include <optional>
@@ -20,7 +21,8 @@ struct RunHeader {
 };
 
 /// Returns the differences in words: "seed was 1, is 2; study was 'max_evaluations: 12', is ...". Empty if
-/// there are none. copy_of: returns a copy of the file that had this hash, to be named too, or nothing.
+/// there are none. copy_of: returns the path of a copy of the file with this hash, which the text then names
+/// too, or nothing.
 std::string differences(
     const RunHeader& was, const RunHeader& is,
     const std::function<std::optional<std::string>(const std::string& value)>& copy_of = {});

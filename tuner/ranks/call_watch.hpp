@@ -1,6 +1,6 @@
 #pragma once
-// A watch on a call that cannot be given a deadline, such as MPI_Init, which returns only when every rank has
-// called it:
+// A timer for a blocking call that has no deadline of its own. MPI_Init, for example, returns only when every
+// rank has called it. If the call takes long, the timer first reports that and later gives up:
 //
 //   const CallWatch watch(10.0, [] { say("still waiting"); }, 120.0, [] { std::_Exit(1); });
 //   MPI_Init(nullptr, nullptr);
@@ -14,7 +14,7 @@ class CallWatch {
  public:
   using Action = std::function<void()>;
   /// Starts a thread that calls `say` after `say_after` and `give_up` after `limit` [s]. Each is called once,
-  /// unless the watch has been destroyed before. Time in which the process is stopped does not count.
+  /// unless the timer has been destroyed before. Time in which the process is stopped does not count.
   CallWatch(double say_after, Action say, double limit, Action give_up);
 
  private:

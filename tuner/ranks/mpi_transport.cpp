@@ -33,15 +33,16 @@ CallWatch watch_all(const Notice& notice, const std::string& verb, double limit)
   };
   const bool speaks = place.rank == 0;
   const double end = limit + (speaks ? 0.0 : kRankZeroFirst);
-  return {kSayAfter,
-          [say, speaks, end] {
-            if (speaks) say(fmt::format("{} s so far; it gives up after {} s", kSayAfter, end));
-          },
-          end,
-          [say, end] {
-            say(fmt::format("{} s. One of them hangs, has ended, or is another program; this run ends", end));
-            std::_Exit(EXIT_FAILURE);
-          }};
+  return {
+      kSayAfter,
+      [say, speaks, end] {
+        if (speaks) say(fmt::format("{} s so far; it gives up after {} s", kSayAfter, end));
+      },
+      end,
+      [say, end] {
+        say(fmt::format("{} s. One of them hangs, has ended or runs another program, so this run ends", end));
+        std::_Exit(EXIT_FAILURE);
+      }};
 }
 
 /// One MPI call at a time, from any thread (MPI_THREAD_SERIALIZED). A blocking receive of Open MPI would keep
@@ -59,7 +60,8 @@ class MpiTransport final : public Transport {
     check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_), "MPI_Comm_rank");
     check(MPI_Comm_size(MPI_COMM_WORLD, &size_), "MPI_Comm_size");
     if (provided < MPI_THREAD_SERIALIZED) {
-      throw InputError("MPI does not support threads (MPI_THREAD_SERIALIZED), which armtune needs");
+      throw InputError(
+          "MPI does not support MPI_THREAD_SERIALIZED; use an MPI that was built with support for threads");
     }
   }
 
@@ -98,7 +100,7 @@ class MpiTransport final : public Transport {
     const std::lock_guard lock(mutex_);
     for (Sent& sent : sent_) MPI_Wait(&sent.request, MPI_STATUS_IGNORE);
     sent_.clear();
-    const CallWatch watch = watch_all(notice_, "leave", kStartSeconds);
+    const CallWatch watch = watch_all(notice_, "finish", kStartSeconds);
     MPI_Finalize();
   }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Functions to poll for a message without keeping a processor busy.
+// A clock and a sleep function for loops that wait for a message. With them, polling does not keep a
+// processor busy.
 
 #include <algorithm>
 #include <chrono>
@@ -29,8 +30,8 @@ class RunningTime {
 class Patience {
  public:
   double seconds() { return time_.look(); }
-  /// Sleeps for a fiftieth of the wait so far, but between 0.1 and 1 ms. What is waited for is noticed late
-  /// by at most 2 %, or by less than a millisecond.
+  /// Sleeps for a fiftieth of the wait so far, but between 0.1 and 1 ms. The end of the wait is thus noticed
+  /// late by at most 2 %, or by less than a millisecond.
   void sleep() {
     constexpr double kShortest = 1e-4;
     constexpr double kLongest = 1e-3;

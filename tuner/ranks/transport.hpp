@@ -1,6 +1,6 @@
 #pragma once
-// Messages between the processes (ranks) of one run, and the place of a process among them. The messages use
-// MPI if armtune was built with it.
+// Exchanges messages between the processes (MPI ranks) of one run, and finds out which rank this process is.
+// A run on several ranks needs an armtune that was built with MPI.
 
 #include <functional>
 #include <memory>

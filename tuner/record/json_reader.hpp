@@ -1,6 +1,7 @@
 #pragma once
-// Reads declared types from JSON. It uses the YAML reader, because JSON is a subset of YAML. Therefore it has
-// the same limits, and its errors name file, line and key.
+// Reads objects from JSON. The members of their types are declared as in declaration.hpp. The reader uses the
+// YAML reader, because JSON is a subset of YAML. Therefore it has the same limits, and its errors name file,
+// line and key.
 
 #include <algorithm>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-// Writes declared types as JSON.
+// Writes objects as JSON. The members of their types are declared as in declaration.hpp.
 
 #include <utility>
 

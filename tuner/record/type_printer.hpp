@@ -1,5 +1,6 @@
 #pragma once
-// Prints declared types as interfaces for TypeScript code that reads their JSON.
+// Prints C++ types as TypeScript interfaces, for code that reads the JSON of their objects. The members of
+// the types are declared as in declaration.hpp.
 
 #include <set>
 #include <string>

@@ -1,9 +1,10 @@
 #pragma once
-// Words that one part of armtune writes into a CSV file and another part reads. Each is defined only here.
+// Words that armtune writes into cells of CSV files and compares when it reads them again, for example for a
+// report. Each is defined only here.
 
 namespace armtune::internal::kept_words {
 
-/// Kinds of limits of a plan, in limits.csv.
+/// Kinds of limits of a planned motion, in limits.csv.
 inline constexpr const char* kTorque = "torque";
 inline constexpr const char* kToolPath = "tool path";
 inline constexpr const char* kGaze = "gaze";

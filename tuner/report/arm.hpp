@@ -1,5 +1,5 @@
 #pragma once
-// The data of an arm that a replay draws: its joints, limits and shapes.
+// The data that a report page needs to draw an arm in its 3D replay: joints, limits and shapes.
 
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
 #pragma once
-// A run's rows, divided into buckets of equal length to thin them for a plot. A plot keeps the smallest and
-// the largest value of each bucket. With one bucket per pixel it looks the same as with every row.
+// Thins the rows of a recorded rollout for a plot. The rows are divided into buckets of equal length, and the
+// plot keeps the smallest and the largest value of each. With one bucket per pixel it looks the same as with
+// every row.
 
 #include <span>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-// Functions that find in the tables of a run what changed, what is broken, and which joint comes closest to
-// its limit.
+// Finds the main facts in a run's tables of metrics: which metrics changed from the first gain set to another
+// one, which limits are broken, and which joint comes closest to its limit.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace armtune::internal::report {
 
-/// The change of a metric from the first set to another set: the geometric mean of the ratios over the
+/// The change of a metric from the first gain set to another one: the geometric mean of the ratios over the
 /// scenarios where both values are positive.
 struct Change {
   Metric metric = Metric::kPositionMax;
@@ -21,12 +21,13 @@ struct Change {
   double worsening() const;
 };
 
-/// Returns the changes of the metrics of `terms`, best improvement first. A term holds a metric and its
-/// scenarios; no scenarios mean all. A metric that has no scenario with positive values is left out.
+/// Returns the changes of the metrics of `terms` from the first gain set to that with the index `set`, best
+/// improvement first. A term holds a metric and its scenarios; no scenarios mean all. A metric that has no
+/// scenario with positive values is left out.
 std::vector<Change> changes(const std::vector<Table>& tables, const std::vector<StudyTerm>& terms,
                             std::size_t set);
 
-/// The values of a metric in one scenario, for the first set and for another set.
+/// The values of a metric in one scenario, for the first gain set and for another one.
 struct Step {
   Metric metric = Metric::kPositionMax;
   std::string scenario;

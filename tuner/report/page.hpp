@@ -1,5 +1,6 @@
 #pragma once
-// The HTML page that shows a report. It is built from web/ with Node and compiled in.
+// The HTML page that shows a report. It is built from web/ with Node, and compiled into armtune as a text. To
+// make a report, armtune inserts the run's data into it.
 
 #include <string>
 #include <string_view>
@@ -9,8 +10,8 @@ namespace armtune::internal::report {
 /// Returns the page without its data, or an empty text if armtune was built without it (ARMTUNE_REPORT).
 std::string_view page_text();
 
-/// Returns the page with the data inserted in place of the mark in it. json: text from report_json. Throws
-/// FailedError if the page does not contain the mark exactly once.
+/// Returns the page with the data inserted in place of its mark <!--report-data-->. json: text from
+/// report_json. Throws FailedError if the page does not contain the mark exactly once.
 std::string filled_page(std::string_view page, std::string_view json);
 
 }  // namespace armtune::internal::report

@@ -1,5 +1,6 @@
 #pragma once
-// Reads run.yaml of a run folder.
+// Reads run.yaml of a run folder, which records how the results were made: the command, versions, and hashes
+// of the input files. The report shows them.
 
 #include <string>
 #include <utility>

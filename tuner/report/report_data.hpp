@@ -62,7 +62,7 @@ struct Judged {
   static void declare(auto& f, auto& judged) {
     f.type("Judged",
            "Tables over all arms of a study on many arms; the other tables are of the nominal arm alone.");
-    f("measure", judged.measure, "The measure over the arms, such as \"worst of 5 arms each\".")(
+    f("measure", judged.measure, "The measure over the arms, such as \"worst of 5 arms in each scenario\".")(
         "tables", judged.tables);
   }
 };

@@ -1,5 +1,6 @@
 #pragma once
-// Builds the plots and the replay of a run from a CSV file, for a rollout and for a plan alike.
+// Builds the plots and the 3D replay of a report page from one CSV file. The file records a rollout or a
+// planned motion.
 
 #include "tuner/report/buckets.hpp"
 #include "tuner/report/recording.hpp"

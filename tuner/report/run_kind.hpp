@@ -1,5 +1,5 @@
 #pragma once
-// The kind of run that wrote a folder.
+// Finds out which armtune command wrote a run folder. The report page depends on it.
 
 #include <string>
 

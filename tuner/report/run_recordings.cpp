@@ -83,8 +83,8 @@ class Recordings {
         if (auto path = find_run_file(folder_, file)) {
           files_[s].push_back({set, *std::move(path)});
         } else if (of_set(name, set, &Table::status) == "completed") {  // what ended early leaves none
-          data_.left_out.push_back(fmt::format(
-              "{}/{}: the file is missing; its plots and its replay are left out", folder_, file));
+          data_.left_out.push_back(
+              fmt::format("{}/{}: its plots and its replay, because the file is missing", folder_, file));
         }
       } catch (const InputError& error) {
         data_.left_out.emplace_back(error.what());
@@ -115,7 +115,7 @@ class Recordings {
     }
     if (kept == order.size()) return;
     data_.thinned.push_back(fmt::format(
-        "plots and replays of {} of {} scenarios; scenarios that failed or broke a limit come first",
+        "plots and replays of {} of {} scenarios; those that failed or broke a limit are shown first",
         order.size() - kept, order.size()));
     order.resize(kept);
   }
@@ -138,8 +138,9 @@ class Recordings {
     const double row_after =
         run.end * (1.0 + 1.5 / static_cast<double>(std::max<std::size_t>(2, recording.rows()) - 1));
     if (scenario != nullptr && run.status == "completed" && row_after < scenario->duration) {
-      data_.left_out.push_back(fmt::format("{}: the time after {:.3f} s of {:.6g} s; the file was cut off",
-                                           file.path, run.end, scenario->duration));
+      data_.left_out.push_back(
+          fmt::format("{}: everything after {:.3f} s of {:.6g} s, because the file ends there", file.path,
+                      run.end, scenario->duration));
     }
     if (run.reason.empty() && !run.status.empty() && run.status != "completed")
       run.reason = fmt::format("{} at {:.3f} s", run.status, run.end);
@@ -201,7 +202,8 @@ class Recordings {
       if (run.replay.n > 1) coarsest_ = std::max(coarsest_, run.replay.dt);
       if (run.shortest_state > 0.0) {
         data_.thinned.push_back(
-            fmt::format("states and slerps of {} shorter than {:.3g} s, because there are too many",
+            fmt::format("controller states and slerps of {} shorter than {:.3g} s, because there are too "
+                        "many",
                         shown.name, run.shortest_state));
       }
     }
@@ -210,8 +212,8 @@ class Recordings {
   void tell_coarse() {
     constexpr double kWorthAWord = 0.1;  // [s]
     if (coarsest_ > kWorthAWord)
-      data_.thinned.push_back(
-          fmt::format("in the replays, everything between two samples, up to {:.3g} s", coarsest_));
+      data_.thinned.push_back(fmt::format(
+          "in the replays, all motion between samples, which are up to {:.3g} s apart", coarsest_));
   }
 
   static constexpr std::size_t kLeastOfScenario = 12'000;  // [bytes] its path and names

@@ -1,5 +1,6 @@
 #pragma once
-// Adds the recordings of a run folder to its report page, as many and as fine as there is room for.
+// Adds the recorded rollouts of a run folder to its report page, as plots and 3D replays. To limit the size
+// of the page, some recordings may be thinned or left out.
 
 #include <string>
 
@@ -8,7 +9,7 @@
 
 namespace armtune::internal::report {
 
-/// Returns the name of a set's file below the run's folder, such as "start/gains.yaml".
+/// Returns the name of a gain set's file below the run's folder, such as "start/gains.yaml".
 std::string name_in(const SceneSet& set, const std::string& file);
 
 /// Adds plots and replays of `data.scenarios`, whose names must be set, from the rollout_<scenario>.csv files

@@ -1,5 +1,6 @@
 #pragma once
-// The data that a report page shows of a scenario: its runs with plots and replays, and the limits of a plan.
+// The data that a report page shows of one scenario: its rollouts with plots and replays, or a planned motion
+// with its limits.
 
 #include <optional>
 #include <string>

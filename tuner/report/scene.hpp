@@ -1,6 +1,6 @@
 #pragma once
-// The scene of a run, stored in scene.json beside the CSV files. It contains the data that a replay needs and
-// that the CSV files do not have.
+// The scene of a run, stored in scene.json beside the CSV files. It contains what a 3D replay needs in
+// addition to these: the arms, the tool paths, the obstacles and the parts of the cell.
 
 #include <optional>
 #include <string>
@@ -29,7 +29,8 @@ struct SceneObstacle {
   static void declare(auto& f, auto& obstacle) { f("radius", obstacle.radius)("path", obstacle.path); }
 };
 
-/// A part of the cell. Its shape belongs to no joint, and its path is that of its centre.
+/// A part of the robot's cell, such as a table. Its shape belongs to no joint, and its path is that of its
+/// centre.
 struct ScenePart {
   std::string name;
   ArmShape shape;
@@ -66,8 +67,8 @@ struct Scene {
   }
 };
 
-/// Returns the sets of a run without scene.json, by the kind of run. For a comparison it reads them from the
-/// run's file; throws InputError if that cannot be read.
+/// Returns the gain sets of a run without scene.json, by the kind of run. For a comparison it reads them
+/// from the run's file. Throws InputError if that cannot be read.
 std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder);
 
 /// Makes the scene of scenarios and sets. influence_radius: of the reference gains [m].

@@ -1,5 +1,5 @@
 #pragma once
-// Functions that make the parts of a report page, each from one file of a run folder.
+// Makes the sections of a report page, most of them from one file of a run folder each.
 
 #include "sim/csv/csv_table.hpp"
 #include "tuner/report/report_data.hpp"

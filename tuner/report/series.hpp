@@ -1,5 +1,6 @@
 #pragma once
-// A column of numbers stored in two bytes each, linear between its smallest and its largest value.
+// A column of numbers, quantised to two bytes each between its smallest and its largest value. A report page
+// stores its plots and replays in this form to save space.
 
 #include <cstdint>
 #include <span>

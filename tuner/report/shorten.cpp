@@ -48,7 +48,7 @@ void shorten_tables(std::vector<Table>& tables, std::size_t most_bytes, std::siz
   }
   if (kept == order.size()) return;
   data.thinned.push_back(fmt::format(
-      "numbers of {} of {} scenarios; scenarios that failed or broke a limit come first, and {} has all",
+      "numbers of {} of {} scenarios; those that failed or broke a limit are shown first, and {} has all",
       order.size() - kept, order.size(), file));
   order.resize(kept);
   std::sort(order.begin(), order.end());

@@ -10,7 +10,7 @@ namespace {
 const yaml::Node& needed(const yaml::Node& map, const char* key) {
   const yaml::Node* node = map.find(key);
   if (node == nullptr)
-    map.fail(std::string("key '") + key + "' is missing; armtune writes it into a run's study");
+    map.fail(std::string("key '") + key + "' is missing; put back the study.yaml that armtune wrote here");
   return *node;
 }
 
@@ -62,7 +62,8 @@ StudyFacts read_study_facts(const std::string& path) {
     const long samples = node.as_integer();
     if (samples < 0 || samples > kMost) node.fail("expected a number of arms, from 0 to 1000000000");
     // The scenario's own arm counts too.
-    facts.measure = fmt::format("{} of {} arms each", needed(*robust, "measure").as_string(), samples + 1);
+    facts.measure =
+        fmt::format("{} of {} arms in each scenario", needed(*robust, "measure").as_string(), samples + 1);
   }
   return facts;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The facts of a study that stand in study.yaml of a run folder. Files that study.yaml names are not read,
-// because they may have been moved.
+// Reads study.yaml of a run folder for the report. A study defines a tuning task: the gains, the terms of the
+// objective, and the limits. Files that study.yaml names are not read, because they may have been moved.
 
 #include <optional>
 #include <string>
@@ -35,7 +35,7 @@ struct StudyFacts {
   std::vector<StudyGain> gains;
   std::vector<StudyTerm> terms;
   std::vector<StudyLimit> limits;
-  std::string measure;  ///< such as "worst of 5 arms each"; empty for a study on one arm
+  std::string measure;  ///< such as "worst of 5 arms in each scenario"; empty for a study on one arm
 };
 
 /// Returns the metrics of the terms and limits; a metric may occur twice.

@@ -1,5 +1,5 @@
 #pragma once
-// Decides which scenarios a page shows first when there are very many.
+// Decides which scenarios a report page shows if there are too many for all: those that failed come first.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace armtune::internal::report {
 
-/// Returns the indices of `names`: first the scenarios that failed with the set, then those that broke a
-/// limit of the arm, then the others. Each group keeps its order.
+/// Returns the indices of `names`: first the scenarios that failed with this gain set, then those that
+/// broke a limit of the arm, then the others. Each group keeps its order.
 std::vector<std::size_t> telling_order(const std::vector<std::string>& names,
                                        const std::vector<Table>& tables, std::size_t set);
 

@@ -72,7 +72,8 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   if (!std::isnan(objective)) {
     gain = objective < 1.0
                ? fmt::format("the objective falls by {:.0f} %", 100.0 * (1.0 - objective))
-               : fmt::format("the objective did not improve: it is {:.3g} times the start's", objective);
+               : fmt::format("the objective did not improve: it is {:.3g} times that of the start gains",
+                             objective);
   }
   std::string kept = feasible ? "every constraint holds" : "";
   if (feasible && !beside.empty()) kept += ", but the arm's own limits do not: " + first_of(beside);
@@ -82,8 +83,8 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
                              feasible ? "" : first_of(broken), gain, improvements(all, tables.size()),
                              closest_joint(tables, tuned), kept});
   if (data.judged) {
-    verdict.details.push_back(
-        fmt::format("Every figure here is the {}; those of the nominal arm are below", data.judged->measure));
+    verdict.details.push_back(fmt::format(
+        "Every figure here is the {}; the figures of the nominal arm are below", data.judged->measure));
   }
   if (data.evaluations) {
     verdict.details.push_back(fmt::format("{} evaluations{}", data.evaluations->objective.size(),

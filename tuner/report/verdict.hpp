@@ -1,6 +1,7 @@
 #pragma once
-// The verdict on a report page: one sentence and a few lines on what improved by how much, which joint comes
-// closest to its velocity limit and when, and what is violated.
+// Writes the verdict of a report page, which is one sentence and a few lines. They tell which metrics
+// improved and by how much, which joint comes closest to its velocity limit and when, and which limits are
+// violated.
 
 #include <map>
 #include <optional>
@@ -21,7 +22,7 @@ struct VerdictFacts {
 
   /// Returns an entry of run.yaml, or an empty text if there is none.
   std::string entry(const std::string& key) const { return run.contains(key) ? run.at(key) : ""; }
-  /// True if run.yaml says `interrupted`. In older runs only their `ended` says so.
+  /// True if the key `interrupted` of run.yaml is true. Older runs have the key `ended` instead.
   bool interrupted() const {
     return run.contains("interrupted") ? entry("interrupted") == "true"
                                        : entry("ended").starts_with("interrupted");

@@ -1,5 +1,5 @@
 #pragma once
-// Turns findings into sentences for a reader.
+// Turns changes of metrics and other findings (findings.hpp) into sentences for the verdict of a report page.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace armtune::internal::report {
 
 /// True if a ratio differs from 1 enough to be mentioned.
 bool noticeable(double ratio);
-/// True if a change is an improvement by more than that.
+/// True if a change is an improvement that is large enough to be mentioned.
 bool improvement(const Change& change);
 
 /// Returns, for example, "the largest orientation error falls by 62 %". Adds the scenario, or the number of
@@ -36,7 +36,7 @@ std::string joined(const std::vector<std::string>& parts);
 /// Returns the first line and the number of others, or an empty text without lines.
 std::string first_of(const std::vector<std::string>& lines);
 
-/// Appends the lines, at most `most` of them, and says how many are left out.
+/// Appends at most `most` of the lines, and a line with the number of those left out.
 void add(std::vector<std::string>& details, const std::vector<std::string>& lines, std::size_t most);
 
 }  // namespace armtune::internal::report

@@ -109,8 +109,8 @@ std::string yardstick_sentence(const std::vector<YardstickRow>& rows, std::size_
   for (const KindWords& kind : kKinds) {
     const YardstickRow* worst = worst_of(rows, set, kind.event);
     if (worst == nullptr) continue;
-    told.push_back(fmt::format("{} {:.3g} times the best ({} instead of {}, {} at {:.4g} s)", kind.at_worst,
-                               worst->ratio, figure(worst->reached, worst->unit),
+    told.push_back(fmt::format("{} {:.3g} times the best ({} instead of {}, in {} at {:.4g} s)",
+                               kind.at_worst, worst->ratio, figure(worst->reached, worst->unit),
                                figure(worst->limit, worst->unit), worst->scenario, worst->time));
   }
   if (told.empty()) return {};

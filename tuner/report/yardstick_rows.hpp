@@ -1,5 +1,6 @@
 #pragma once
-// The events in yardstick.csv: parts of a rollout, each compared with the best that the arm's limits allow.
+// Reads yardstick.csv for the report page. Each row is an event, which is a part of a rollout. The row
+// compares its result with the best result that the arm's limits allow.
 
 #include <optional>
 #include <string>

@@ -107,8 +107,8 @@ std::vector<std::pair<std::string, std::string>> drawn_arm_files(const Scenario&
       {"arm.yaml",
        robot_yaml(arm, "arm.urdf",
                   fmt::format("The arm that was simulated in {}, with its payload and friction{}", drawn.name,
-                              drawn.clearance ? ". Its surroundings are not included: contacts are checked "
-                                                "only with the 'cell' of the robot or scenario"
+                              drawn.clearance ? ". The 'cell' around it is not included; add one to the "
+                                                "robot or scenario to check contacts"
                                               : ""))}};
 }
 

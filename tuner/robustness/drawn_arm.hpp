@@ -1,5 +1,6 @@
 #pragma once
-// The properties that were drawn at random for an arm, as columns of samples.csv and as files.
+// Writes the properties of a randomly drawn arm, on which a Monte Carlo analysis simulates the gains. They
+// become columns of samples.csv, and files that describe the arm.
 
 #include <string>
 #include <utility>
@@ -16,8 +17,8 @@ namespace armtune::internal {
 /// are drawn/NAME/speed_factor and drawn/NAME/phase [rad].
 std::vector<std::string> drawn_columns(const std::vector<Scenario>& scenarios);
 
-/// Returns the values of these columns for one sample, in the same order. drawn: the scenario with the
-/// sample's arm, which they are read from. The value of a target or obstacle that the scenario does not have
+/// Returns the values of these columns for one sample, in the same order. drawn: `scenario` with the sample's
+/// arm, from which the values are computed. The value of a target or obstacle that the scenario does not have
 /// is NaN. The scenarios' arms must have the same number of joints.
 std::vector<double> drawn_values(const std::vector<Scenario>& scenarios, const Scenario& scenario,
                                  const Scenario& drawn);

@@ -1,6 +1,6 @@
 #pragma once
-// Searches along one number for the edge between values for which a condition holds and values for which it
-// fails.
+// Searches for the value of one quantity beyond which a condition fails. Stability margins are found in this
+// way, for example the largest extra delay with which a control loop remains stable.
 
 #include <functional>
 #include <optional>
@@ -17,15 +17,15 @@ struct EdgeSearch {
   double tolerance = 0.02;  ///< relative distance at which two numbers that are not whole are neighbours
 };
 
-/// The neighbours on either side of the edge.
+/// The two neighbouring values between which the condition changes.
 struct Edge {
   double holds = 0.0;
   std::optional<double> fails;  ///< none: everything up to EdgeSearch::last holds
 };
 
-/// Strides away from nominal until `holds(value)` returns false. Then bisects between the last two values, to
-/// adjacent whole numbers or to the tolerance. Values beyond the first failure that the strides meet are
-/// never tried. Numbers that are not whole are tried with four significant digits, so that the printed value
+/// Tries values in growing distance from nominal until `holds(value)` returns false. Then bisects between the
+/// last two values, to adjacent whole numbers or to the tolerance. Values beyond this first failure are never
+/// tried. Numbers that are not whole are tried with four significant digits, so that the printed value
 /// is the one tried. If `first` fails already, the search goes down to a thousandth of it and then returns
 /// zero.
 Edge find_edge(const EdgeSearch& search, const std::function<bool(double)>& holds);

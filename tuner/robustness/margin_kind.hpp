@@ -1,6 +1,6 @@
 #pragma once
-// The one declaration of every stability margin: which quantity changes, from which value, in which direction
-// and how far.
+// Declares the stability margins: which quantity of the control loop is changed, from which value, in which
+// direction and how far. The quantities are torque delay, gains, control rate and velocity noise.
 
 #include <array>
 #include <cstddef>
@@ -19,7 +19,7 @@ struct MarginField {
   const char* name;
   const char* unit;
   const char* meaning;
-  /// Returns the scenario's own value.
+  /// Returns the scenario's own value of the quantity.
   double (*nominal)(const Scenario& scenario);
   /// Gives scenario and gains another value. The nominal value leaves them unchanged.
   void (*apply)(double value, Scenario& scenario, Gains& gains);

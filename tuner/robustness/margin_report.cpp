@@ -45,11 +45,11 @@ std::string what_ends(const std::vector<Scenario>& scenarios, const ComparedMarg
     const auto smallest = least(scenarios, set.margins, kind);
     if (!smallest || !smallest->fails) continue;
     if (!smallest->stands) {
-      return fmt::format("{}: {} fails without any change: {}\n", set.name, smallest->scenario,
-                         smallest->reason);
+      return fmt::format("{}: the closed loop fails in {} without any change: {}\n", set.name,
+                         smallest->scenario, smallest->reason);
     }
-    text += fmt::format("{}: {} fails at {:.4g} in {}: {}\n", set.name, name(kind), *smallest->fails,
-                        smallest->scenario, smallest->reason);
+    text += fmt::format("{}: the closed loop fails at {} {:.4g} in {}: {}\n", set.name, name(kind),
+                        *smallest->fails, smallest->scenario, smallest->reason);
   }
   return text;
 }

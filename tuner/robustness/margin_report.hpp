@@ -1,5 +1,5 @@
 #pragma once
-// Stability margins as a file and as text for a terminal.
+// Formats stability margins as the file margins.csv and as tables for the terminal.
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@ namespace armtune::internal {
 
 /// Returns the text of margins.csv: margin,unit,scenario,nominal,stands,fails,reason. There is one row per
 /// margin and scenario. If the margin of every scenario is there, a row `all` has the least of them. `stands`
-/// is empty if not even the nominal value stands, `fails` if nothing failed. Numbers read back to the same
-/// bits.
+/// is the last value that the loop tolerates, or empty if the loop fails at the nominal value already.
+/// `fails` is the next value tried, or empty if nothing failed. Numbers read back to the same bits.
 std::string margins_csv(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins);
 
 /// Returns a table of the margins of one gain set, one line per scenario.
@@ -22,8 +22,8 @@ struct ComparedMargins {
   std::vector<Margin> margins;
 };
 
-/// Returns a table with the least margins of gain sets side by side. Below it stands what ends each margin,
-/// and in which scenario.
+/// Returns a table with the least margins of gain sets side by side. Lines below it give the value at which
+/// the loop first fails, with cause and scenario.
 std::string margins_table(const std::vector<Scenario>& scenarios, const std::vector<ComparedMargins>& sets);
 
 }  // namespace armtune::internal

@@ -69,8 +69,8 @@ std::optional<LoopFailure> failure(Engine engine, const Scenario& scenario, cons
         // Not that it does not stand: what a clock says must not become a margin.
         if (time.look() > deadline) {
           throw FailedError(
-              fmt::format("{}: a rollout of the margin search reached {:.3f} s of {} s before its deadline "
-                          "of {} s; find out what slows it down",
+              fmt::format("{}: a rollout of the margin search simulated only {:.3f} s of {} s within its "
+                          "deadline of {} s of computing time; find out what slows it down",
                           scenario.name, o.time, scenario.duration, deadline));
         }
         return !stop && watch.goes_on(o);

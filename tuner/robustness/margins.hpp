@@ -1,12 +1,13 @@
 #pragma once
-// Stability margins: how much extra delay, gain, noise or slower control a gain set's closed loop tolerates.
+// Computes stability margins by simulation: how much extra delay, gain or noise, or how slow a control rate,
+// the closed loop of a gain set tolerates.
 //
-// A loop stands in a scenario if its rollout completes, keeps the limits and does not saturate: at most 1 %
-// of the control periods may have a saturated joint. The motion of an unstable loop grows until something
-// limits it, in these arms torque saturation. The loop then chatters from bound to bound, tracks hardly
-// worse for a while, and would destroy a drive. Sound gains saturate for some periods at a change of state.
-// From the edge of stability to chattering, the number of such periods grows by a factor of hundreds, so that
-// the exact share hardly changes where the edge is.
+// A loop counts as stable in a scenario ("stands", "holds") if its rollout completes, keeps the limits and
+// does not saturate: at most 1 % of the control periods may have a saturated joint. The motion of an unstable
+// loop grows until something limits it, in these arms torque saturation. The loop then chatters between the
+// torque bounds, tracks hardly worse for a while, and would destroy a motor or gear. Sound gains saturate for
+// some periods at a change of the controller's state. From the edge of stability to chattering, the number of
+// such periods grows by a factor of hundreds. Therefore the exact share hardly changes where the edge is.
 
 #include <atomic>
 #include <functional>
@@ -25,8 +26,8 @@ struct Margin {
   std::string scenario;
   double control_period = 0.0;   ///< the scenario's own [s]
   double nominal = 0.0;          ///< in the margin's unit, like the next two
-  std::optional<double> stands;  ///< last value that stood; none: not even the nominal one
-  std::optional<double> fails;   ///< its neighbour that did not; none: all up to the last one tried stand
+  std::optional<double> stands;  ///< last value with a stable loop; none: not even the nominal one
+  std::optional<double> fails;   ///< next value, at which the loop fails; none: no value tried fails
   std::string reason;            ///< cause of failure, such as a limit; no commas; empty if nothing failed
 };
 
@@ -34,7 +35,7 @@ struct MarginOptions {
   std::vector<MetricLimit> limits = arm_limits();
   Stepper stepper = Stepper::kMidpoint;
   /// Engine in which the edges are searched. The edge that another engine finds counts only if Simbody
-  /// confirms it: the loop must stand on the one side and fail on the other. Otherwise Simbody searches for
+  /// confirms it: the loop must be stable on one side and fail on the other. Otherwise Simbody searches for
   /// the edge itself; values that it has tried before are not simulated again.
   Engine engine = Engine::kSimbody;
   int workers = 1;
@@ -48,7 +49,7 @@ struct MarginOptions {
 std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
                             const MarginOptions& options, const std::atomic<bool>& stop);
 
-/// The reason why a loop does not hold.
+/// The reason why a loop does not count as stable (does not hold).
 struct LoopFailure {
   std::string text;   ///< one clause; empty if the loop holds
   std::string joint;  ///< joint that shows it; empty if no single joint does
@@ -68,8 +69,8 @@ std::optional<LoopFailure> failure_at(MarginKind kind, double value, const Scena
 std::optional<LoopFailure> loop_failure(const Scenario& scenario, const Gains& gains,
                                         const MarginOptions& options, const std::atomic<bool>& stop);
 
-/// Returns the smallest margin of a kind over the scenarios: one whose nominal value does not stand, else the
-/// one that fails first. No value unless the margin of every scenario is there.
+/// Returns the smallest margin of a kind over the scenarios: one that fails at its nominal value already,
+/// else the one that fails first. No value unless the margin of every scenario is there.
 std::optional<Margin> least(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,
                             MarginKind kind);
 

@@ -12,7 +12,7 @@
 
 namespace armtune::internal {
 
-/// One arm in every scenario.
+/// The results of one random arm in every scenario.
 struct MonteCarloSample {
   std::uint64_t number = 0;
   std::vector<RolloutResult> results;  ///< one per scenario
@@ -35,11 +35,11 @@ struct MonteCarloOptions {
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< rollouts; one call at a time
   /// Returns the results per scenario of a sample that an earlier session finished, or none; may be empty.
   std::function<std::optional<std::vector<RolloutResult>>(std::uint64_t number)> known;
-  /// Called with each whole sample that was not known, as soon as it is whole, in any order. One call at a
-  /// time.
+  /// Called with each sample that was not known, as soon as all its scenarios are simulated, in any order.
+  /// One call at a time.
   std::function<void(const MonteCarloSample&)> whole;
-  /// Called with each whole sample in the order of their numbers, as soon as all before it are whole too. One
-  /// call at a time.
+  /// Called with each complete sample in the order of their numbers, as soon as all before it are complete
+  /// too. One call at a time.
   std::function<void(const MonteCarloSample&)> finished;
 };
 
@@ -50,7 +50,7 @@ RolloutPlan monte_carlo_plan(const std::vector<Scenario>& scenarios, const Monte
 /// missing. A sample depends on scenarios, gains, perturbation, seed and its number alone.
 std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
-/// Does the same with workers of that plan; the number of workers in the options is not used.
+/// Does the same with the workers of a pool that was made for monte_carlo_plan; options.workers is not used.
 std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
 

@@ -80,12 +80,12 @@ void require_recording_memory(const std::vector<Scenario>& scenarios, int stride
   const Scenario& scenario = scenarios[longest];
   const std::string others =
       bytes.size() > 1
-          ? fmt::format(", {:.3g} GB together with the others in memory at the same time", all / kGigabyte)
+          ? fmt::format(", and the recordings in memory at the same time take {:.3g} GB", all / kGigabyte)
           : std::string();
   throw InputError(fmt::format(
-      "{}: the recording of {} takes {:.3g} GB ({:.3g} s, {:.3g} rows){}, but this process may use {:.3g} "
-      "GB; shorten 'duration'{}, or record only every {:.0f}th control period (--record-every of some "
-      "commands, record_every in Python)",
+      "{}: the recording of {} takes {:.3g} GB ({:.3g} s, {:.3g} rows){}, but this process may use only "
+      "{:.3g} GB. Shorten 'duration'{}, or record only every {:.0f}th control period (--record-every if the "
+      "command has it, record_every in Python)",
       scenario.source, scenario.name, largest / kGigabyte, scenario.duration, rows(scenario, stride), others,
       usable / kGigabyte, bytes.size() > 1 && use == RecordingUse::kWritten ? ", use fewer workers" : "",
       std::ceil(stride * all / usable)));

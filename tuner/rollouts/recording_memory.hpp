@@ -1,6 +1,6 @@
 #pragma once
-// The memory that recordings of rollouts need. It follows from duration, control period and columns, so that
-// a recording that does not fit is refused before it begins.
+// Computes how much memory the recordings of rollouts need, from duration, control period and columns. If
+// they do not fit, armtune refuses to record them before it simulates anything.
 
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace armtune::internal {
 
-/// The use of recordings.
+/// The purpose of recordings, which determines how many are in memory at once.
 enum class RecordingUse {
   kWritten,  ///< each becomes a CSV file and is released; as many are in memory as there are workers
   kKept      ///< all of them stay in memory
 };
 
-/// Returns the bytes of memory that one scenario's recording takes, while its CSV file is made if it is
-/// written. stride: control periods per row (>= 1).
+/// Returns the bytes of memory that one scenario's recording takes. For kWritten this includes the making of
+/// its CSV file. stride: control periods per row (>= 1).
 double recording_bytes(const Scenario& scenario, int stride, RecordingUse use);
 
 /// Returns the bytes of memory that this process may use: the machine's memory, or less where the shell

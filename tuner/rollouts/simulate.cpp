@@ -26,7 +26,7 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     for (std::size_t k = 0; k < i; ++k) {
       if (scenarios[i].name == scenarios[k].name) {
         throw InputError(
-            fmt::format("{} and {} are both named {}; their results would share a file: rename one",
+            fmt::format("scenarios {} and {} are both named {}, so results would share a file; rename one",
                         scenarios[k].source, scenarios[i].source, scenarios[i].name));
       }
     }
@@ -58,8 +58,8 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     results[i].shake = shakes.first();
     if (late) {
       results[i].result.reason += fmt::format(
-          " of {} s, because its deadline of {} s has passed; give more time with --rollout-deadline, or "
-          "find out what slows it down",
+          " of {} s, because the rollout took longer than its deadline of {} s; give more time with "
+          "--rollout-deadline, or find out what slows it down",
           scenarios[i].duration, deadline);
     }
     const RolloutStatus status = results[i].result.status;

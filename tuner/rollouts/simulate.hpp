@@ -22,7 +22,7 @@ struct SimulateOptions {
   /// completed: for Recorder::rows.
   std::function<void(std::size_t scenario, Recorder recorder, bool completed)> recorded;
   /// Deadline of one scenario, wall clock [s]; 0: derived from its duration (deadline_of). By default there
-  /// is none, so that a rollout which was kept in a search is simulated to its end.
+  /// is none, so that a rollout that a search completed is completed here too.
   double deadline = std::numeric_limits<double>::infinity();
   std::function<void(std::size_t done)> progress;  ///< one call at a time
 };

@@ -74,8 +74,10 @@ AppendFile::~AppendFile() {
 }
 
 void AppendFile::fail(const char* what) const {
-  throw FailedError(fmt::format("{}: cannot {} this file: {}; it holds all work finished before", path_, what,
-                                std::strerror(errno)));
+  throw FailedError(
+      fmt::format("{}: cannot {} this file: {}; it still holds all work that was finished "
+                  "before this error",
+                  path_, what, std::strerror(errno)));
 }
 
 void AppendFile::append(const std::string& text, bool sync) {

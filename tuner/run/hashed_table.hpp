@@ -1,6 +1,6 @@
 #pragma once
-// A CSV file of a run, with the hash of exactly the bytes that were read. run.yaml lists this hash, so it is
-// correct even if the file is edited afterwards.
+// Reads a CSV file that armtune wrote, and computes the hash of exactly the bytes that were read. run.yaml
+// lists this hash, so it is correct even if the file is edited afterwards.
 
 #include <string>
 

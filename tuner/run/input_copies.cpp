@@ -101,7 +101,7 @@ std::optional<std::string> copy_of_hash(const std::string& folder, const std::st
 
 std::string where_copies_are(const std::string& folder) {
   if (copies_in(folder).empty()) return {};
-  return fmt::format(" (copies of the originals are in {}/{})", folder, kInputCopies);
+  return fmt::format(" (copies of the files that the run read are in {}/{})", folder, kInputCopies);
 }
 
 }  // namespace armtune::internal

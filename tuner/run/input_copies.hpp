@@ -22,7 +22,7 @@ std::vector<std::pair<std::string, std::string>> keep_inputs(const std::string& 
 /// Returns the path of a copy whose contents have this hash, as `hashes` gives it, or nothing.
 std::optional<std::string> copy_of_hash(const std::string& folder, const std::string& hash);
 
-/// Returns " (copies of the originals are in FOLDER/inputs)", or an empty text without copies.
+/// Returns " (copies of the files that the run read are in FOLDER/inputs)", or an empty text without copies.
 std::string where_copies_are(const std::string& folder);
 
 }  // namespace armtune::internal

@@ -21,7 +21,8 @@ bool leads_out(const std::string& name) {
 
 [[noreturn]] void refuse_link(const fs::path& path) {
   throw InputError(fmt::format(
-      "{}: is a symbolic link, which is not followed inside a run's folder; put the file itself there",
+      "{}: this is a symbolic link, which armtune does not follow inside a run's folder; put the file itself "
+      "there",
       path.string()));
 }
 

@@ -102,8 +102,8 @@ FolderLock make_run_folder(const std::string& folder) {
   FolderLock lock(descriptor);
   // Where a file system locks no folders, what is in it has to do.
   if (!lock.take() && errno == EWOULDBLOCK) {
-    throw InputError(
-        fmt::format("{}: another run is about to write into this folder; name another with --out", folder));
+    throw InputError(fmt::format(
+        "{}: another run is about to write into this folder; name another folder with --out", folder));
   }
   try {
     refuse_used_folder(folder);  // by one that has ended meanwhile

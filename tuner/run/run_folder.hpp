@@ -1,5 +1,6 @@
 #pragma once
-// The folder that a run leaves behind, and the provenance of its results.
+// Makes the folder into which a run writes its results, and run.yaml in it. That file records how the results
+// were made: versions, machine, seed, and hashes of the inputs.
 
 #include <string>
 #include <utility>
@@ -74,7 +75,7 @@ void write_provenance(const std::string& folder, Provenance p);
 /// Returns name and version of every library in use, one per entry, as run.yaml and --version show them.
 std::vector<std::pair<std::string, std::string>> versions();
 
-/// Returns where and when a figure was measured, one fact per line: versions, processor, date.
+/// Returns the circumstances under which a benchmark was measured, one per line: versions, processor, date.
 std::string measured_with();
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// A fixed set of random arms that a study tunes on, and the number that a metric gets from all of them.
+// A fixed set of random arms on which the gains of one study are tuned together. Each metric is combined over
+// the arms into one number, such as the mean or the worst value.
 
 #include <cstdint>
 #include <span>
@@ -22,7 +23,7 @@ enum class RiskMeasure {
 /// Returns the names in study files, in the order of the enumeration.
 std::span<const char* const> risk_measure_names();
 
-/// A set of random arms, and the scenario's own arm, which is the one that a robot's data describe.
+/// A set of random arms. The scenario's own arm, which the robot's data describe, belongs to it too.
 struct SampleSet {
   std::size_t samples = 8;    ///< number of random arms
   std::uint64_t seed = 1001;  ///< not that of `armtune robustness`, so that its arms are not those tuned on
@@ -39,13 +40,13 @@ inline std::size_t arms(const SampleSet& set) {
 /// Returns the scenario with arm k of the set.
 Scenario arm_of(const SampleSet& set, const Scenario& scenario, std::size_t k);
 
-/// Returns the measure of the values (at least one). It is NaN if one of them is, since an arm that gave no
-/// value did not do well.
+/// Returns the risk measure of the values (at least one). It is NaN if one of them is, because an arm
+/// without a value must not improve the result.
 double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values);
 
-/// Returns one scenario's results (at least one) over the samples as one result, with the measure of every
-/// metric. It is completed if all samples are. Otherwise status, end and reason are those of the sample that
-/// ended first, which the reason names.
+/// Combines one scenario's results over the samples (at least one) into one result, with the risk measure of
+/// every metric. It is completed if all samples are. Otherwise status, end and reason are those of the
+/// sample that ended first, which the reason names.
 RolloutResult folded(const SampleSet& set, std::span<const RolloutResult> samples);
 
 }  // namespace armtune::internal

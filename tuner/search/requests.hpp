@@ -1,6 +1,6 @@
 #pragma once
-// Connects searches in lock step with the simulation: their requests become candidates to simulate, and the
-// results become answers.
+// Passes points between the simulation and several searches that run at once, in lock step. The points that
+// the searches request become candidates to simulate. The values found are handed back to each search.
 
 #include <functional>
 #include <optional>
@@ -12,8 +12,9 @@
 namespace armtune::internal {
 
 /// Returns the requested points that are not known, each once, in the order of the requests. Points for
-/// differences have the phase "gradient". known: true if a point was simulated before. allowed: called before
-/// each candidate; true if its search may have one more. If not, the rest of that request is left out.
+/// finite differences have the phase "gradient". known: true if a point was simulated before. allowed: called
+/// before each candidate; true if its search may have one more evaluation. If not, the rest of that request
+/// is left out.
 std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const char* phase,
                                      const std::function<bool(const SolverPoint&)>& known,
                                      const std::function<bool(std::size_t search)>& allowed);

@@ -1,5 +1,6 @@
 #pragma once
-// The evaluations that a run has seen in one engine.
+// Stores the evaluations that a search has made in one dynamics engine, so that no point is simulated twice.
+// It also keeps the best of them.
 
 #include <cstddef>
 #include <map>
@@ -18,12 +19,12 @@ class Seen {
   /// Number of best points that are kept.
   static constexpr std::size_t kBest = 3;
 
-  /// The objective relative to the start as this engine simulates it, so that a point equal to the start
-  /// scores exactly 1.
+  /// The objective relative to the start gains as this engine simulates them, so that a point equal to the
+  /// start scores exactly 1.
   std::optional<Objective> objective;
   std::optional<Evaluation> start;
 
-  /// Takes in a judged evaluation. box: see best_inside().
+  /// Adds an evaluation whose objective and constraints are computed. box: see best_inside().
   void take(const Evaluation& e, const WarmPoint& box);
 
   /// Returns the value at a point simulated before; null if it was not.
@@ -33,7 +34,8 @@ class Seen {
   }
   /// Returns the best evaluations, the best first. Each point occurs once.
   const std::vector<Evaluation>& best() const { return best_; }
-  /// Returns the best of the points inside the box that the search keeps to.
+  /// Returns the best evaluation inside the bounds of the search, which a warm start may narrow; nothing if
+  /// there is none.
   const std::optional<Evaluation>& best_inside() const { return best_inside_; }
 
  private:

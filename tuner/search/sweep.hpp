@@ -1,5 +1,6 @@
 #pragma once
-// The coarse sweep of a study: the points that a person would try by hand.
+// Lists the points of a study's coarse sweep, a small grid around the start gains as a person would try by
+// hand. Each axis of the grid multiplies some gains by a few factors.
 
 #include <vector>
 

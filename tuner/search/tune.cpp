@@ -165,7 +165,7 @@ std::string Run::reason(const std::vector<SolverOutcome>& outcomes) const {
     if (outcome.stopped) return budget_used_up();
   }
   if (outcomes.size() == 1) return outcomes.front().reason;
-  return fmt::format("all {} searches ended; the first: {}", outcomes.size(), outcomes.front().reason);
+  return fmt::format("all {} searches ended, the first with: {}", outcomes.size(), outcomes.front().reason);
 }
 
 bool Run::search_together(const char* phase, const std::vector<JoinedSearch>& searches, long most) {
@@ -239,8 +239,8 @@ void Run::verify() {
   last.options.initial_step = std::min(last.options.initial_step, kLastStep);
   if (!algorithm_from_name(last.options.algorithm).local) last.options.algorithm = SolverOptions().algorithm;
   if (!search_together("verify", {last}, most)) return;
-  out_.reason =
-      fmt::format("{}, in the {} engine; then judged and refined by simbody", searched, name(study_.engine));
+  out_.reason = fmt::format("{}, in the {} engine; Simbody then simulated and refined the best gains",
+                            searched, name(study_.engine));
 }
 
 void Run::turn_back() {
@@ -259,8 +259,8 @@ void Run::turn_back() {
     if (!last_->feasible || !better(*last_, start) || !callbacks_.fault(last_->gains).empty()) continue;
     faultless_ = last_;
     out_.passed_over = fmt::format(
-        "the best gains found (objective {:.4f}) fail a check ({}); the result passes it, {:.0f} % of the "
-        "way from the start gains to these",
+        "the best gains found (objective {:.4f}) fail a check ({}); the resulting gains pass it. They lie at "
+        "{:.0f} % of the way from the start gains to the best gains",
         best.objective, fault, 100.0 * share);
     return;
   }

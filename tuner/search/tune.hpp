@@ -1,7 +1,7 @@
 #pragma once
-// The tuning loop: the start gains, a coarse sweep, a global search if the study has one, then local searches
-// from one or more points. If the study searches in the native engine, Simbody still simulates the start
-// gains first, and it judges the result.
+// Searches for better gains. It evaluates the start gains, then a coarse sweep, then a global search if the
+// study has one, then local searches from one or more points. If the study searches in armtune's own dynamics
+// (the native engine), Simbody still simulates the start gains first, and evaluates and refines the result.
 
 #include <array>
 #include <atomic>
@@ -36,8 +36,8 @@ struct TuneCallbacks {
   std::function<std::string(const Gains&)> fault;
 };
 
-/// Shares of the way from the start to the best at which gains without a fault are looked for, if the best
-/// has one.
+/// Fractions of the way from the start gains to the best gains. If the best gains have a fault, gains at
+/// these points are tried instead.
 inline constexpr std::array kSharesOfTheWay = {0.5, 0.25, 0.1};
 
 struct TuneResult {
@@ -54,13 +54,15 @@ struct TuneResult {
   std::string passed_over;  ///< if `best` is a point on the way back: what it replaces, and why
 };
 
-/// Runs the study. The result depends on the study alone, unless max_minutes is set. `stop`: set from outside
-/// to end the run; the rollouts that are running are then dropped. journal: where evaluations are recorded
-/// and, if the run is resumed, recalled from. Throws InputError if the start gains give no reference.
+/// Runs the search of the study. The result depends on the study alone, unless max_minutes is set. `stop`:
+/// set from outside to end the run; the rollouts that are running are then dropped. journal: evaluations are
+/// recorded in it and, if the run is resumed, read from it. Throws InputError if the start gains give no
+/// reference for the objective.
 TuneResult tune(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
                 const TuneCallbacks& callbacks, Journal* journal = nullptr);
 
-/// Returns the largest |q'|/limit over an evaluation's scenarios, without the corners of margins.
+/// Returns the largest |q'|/limit over an evaluation's scenarios, without the rollouts that check stability
+/// margins.
 double largest_velocity_ratio(const Study& study, const Evaluation& e);
 
 }  // namespace armtune::internal

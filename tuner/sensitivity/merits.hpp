@@ -1,6 +1,7 @@
 #pragma once
-// Computes the merits (objective + penalty * violation) of points near the best one, from which sensitivities
-// follow. The merits are found in one engine and confirmed by Simbody.
+// Computes the merit (objective + penalty * violation) of the best gains and of gains near them. The
+// sensitivities of the gains follow from these merits. If another simulation engine than Simbody computes
+// them, Simbody confirms the most important ones.
 
 #include <atomic>
 #include <functional>
@@ -12,8 +13,8 @@
 
 namespace armtune::internal {
 
-/// The places of the three points of parameter i in the list of all points, which begins with the best point.
-/// They are the best point with this parameter a step lower, a step higher, and at its start.
+/// The indices of the three points of one parameter in the list of all points, which begins with the best
+/// point. They are the best point with this parameter a step lower, a step higher, and at its start value.
 struct PointsOf {
   std::size_t below, above, reset;
 };
@@ -33,10 +34,10 @@ class Merits {
   /// Returns the merits of the points, in order. No value if `stop` became true before all were done.
   std::optional<std::vector<double>> of(const std::vector<std::vector<double>>& points, Engine engine);
 
-  /// Confirms merits of the points about the best that another engine found. Simbody simulates the best, and
-  /// the points back to the start of the `looked_at` most important parameters; its own merits replace these.
-  /// If one of them differs, Simbody simulates all points. No value if `stop` became true before all were
-  /// done.
+  /// Confirms in Simbody the merits that another engine computed. Simbody simulates the best point and, for
+  /// the `looked_at` most important parameters, the point with this parameter at its start value. Its merits
+  /// replace the given ones. If one of them differs, Simbody simulates all points. No value if `stop` became
+  /// true before all were done.
   std::optional<std::vector<double>> confirmed(const std::vector<std::vector<double>>& points,
                                                std::vector<double> merits, std::size_t looked_at);
 

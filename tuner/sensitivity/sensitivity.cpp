@@ -138,8 +138,9 @@ std::vector<std::string> advice(const Study& study, const Sensitivity& sensitivi
     const bool no_effect = s.local < kNoEffect && std::abs(s.importance) < kNoEffect * sensitivity.merit;
     if (no_effect) {
       lines.push_back(
-          fmt::format("{} has no effect: a step of {:.0f} % of its range changes the merit by {:.2g} %, and "
-                      "its start value by {:.2g} %; fix it with '{{name: {}, fixed: {:.6g}}}'",
+          fmt::format("{} has no effect: a step of {:.0f} % of its range changes the merit (objective plus "
+                      "penalties) by {:.2g} %, and a return to its start value changes it by {:.2g} %; fix "
+                      "it with '{{name: {}, fixed: {:.6g}}}'",
                       name, 100.0 * kSensitivityStep, 100.0 * s.local,
                       100.0 * s.importance / sensitivity.merit, name, p.start));
     } else if (s.best <= p.lower * (1.0 + 1e-9)) {

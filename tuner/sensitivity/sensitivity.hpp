@@ -1,8 +1,8 @@
 #pragma once
-// Shows which gains matter: the effect of each near the best point, over the whole journal, and on the
-// improvement.
+// Shows which gains matter. Each gain is rated by its effect near the best gains, by its rank correlation
+// over all evaluations of the search (the journal), and by its part in the improvement.
 //
-// Everything is judged by the merit: objective + penalty * violation, with the study's penalty. If the best
+// The effect is measured on the merit: objective + penalty * violation, with the study's penalty. If the best
 // point lies at constraints, the objective alone would call every step across a constraint an improvement.
 
 #include <atomic>
@@ -46,9 +46,9 @@ struct Sensitivity {
 };
 
 /// Simulates 3 points per parameter about `best`, in the engine that the study searches in. If that is not
-/// Simbody, Simbody confirms the best and the importance of the kConfirmed most important gains, and its own
-/// figures replace these. If it finds another merit, all figures are Simbody's. No value if `stop` became
-/// true before. objective: of the study. progress(done, all): evaluations; all may still grow.
+/// Simbody, Simbody confirms the best and the importance of the kConfirmed most important gains, and its
+/// figures replace the others. If it finds another merit, it simulates all points. No value if `stop` became
+/// true before the end. objective: of the study. progress(done, all): evaluations; all may still grow.
 std::optional<Sensitivity> sensitivity(
     const Study& study, const Objective& objective, const Gains& best,
     const std::vector<EvaluationRow>& journal, CandidateRunner& workers, const std::atomic<bool>& stop,

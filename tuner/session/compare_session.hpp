@@ -1,6 +1,6 @@
 #pragma once
-// A session that simulates several gain sets in the same scenarios and compares them. If it is interrupted
-// before all sets were simulated, it leaves no result.
+// The work of the command `armtune compare`. It simulates several gain sets in the same scenarios and
+// compares them. If it is interrupted before all sets were simulated, it leaves no result.
 
 #include "tuner/report/scene.hpp"
 #include "tuner/rollouts/comparison.hpp"

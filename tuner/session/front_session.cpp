@@ -29,7 +29,7 @@ std::vector<ExtraColumn> criteria_columns(const Study& study, const ParetoOption
     if (!c.metric) continue;
     columns.push_back({{"criterion/" + c.name(),
                         c.unit(),
-                        fmt::format("{}; the worst over the scenarios", field(*c.metric).meaning),
+                        fmt::format("{}; worst value of all scenarios", field(*c.metric).meaning),
                         {}},
                        [c, &study](const Evaluation& e) { return value(c, e, study.scenarios); }});
   }
@@ -164,7 +164,8 @@ void FrontSession::write_front() const {
   for (std::size_t i = 0; i < result.front.size(); ++i) {
     const ParetoPoint& p = result.front[i];
     std::vector<std::string> header = {
-        fmt::format("point {} of {}'s front by armtune, seed {}", i + 1, study_.name, study_.solver.seed)};
+        fmt::format("point {} of the trade-off front of study {}, found by armtune with seed {}", i + 1,
+                    study_.name, study_.solver.seed)};
     for (const Criterion& c : outcome_.options.criteria) {
       header.push_back(fmt::format("{} {:.6g} (start {:.6g})", c.name(), value(c, p.e, study_.scenarios),
                                    value(c, result.start.e, study_.scenarios)));

@@ -1,7 +1,7 @@
 #pragma once
-// A session that finds the trade-off front of a study: how much one criterion costs in another. It searches,
-// simulates every point of the front again, and writes all files if it has a folder. A session with a folder
-// can be resumed there.
+// The work of the command `armtune pareto`. It finds the Pareto front of a study, which shows how much one
+// criterion gets worse when another one improves. It searches, simulates every point of the front again and,
+// if it has an output folder, writes all files. A run with a folder can be resumed there.
 
 #include <optional>
 #include <string>

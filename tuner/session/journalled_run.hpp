@@ -1,6 +1,7 @@
 #pragma once
-// The folder of a run that can be resumed after it was killed. It owns the run's lock, its journal, copies of
-// its inputs, and its wall time summed over all of its parts.
+// Manages the folder of a run that can be resumed after it was killed. It holds the folder's lock, and the
+// journal with everything that was completed. It keeps copies of the inputs, and sums the wall time over all
+// parts of the run.
 
 #include <functional>
 #include <memory>
@@ -27,8 +28,8 @@ inline constexpr const char* kJournal = "journal.txt";
 /// Returns the path of a run's journal, or the path that it would have if there is none.
 std::string journal_in(const std::string& folder);
 
-/// Returns the header of a run's journal: the invocation and everything that the results depend on. The
-/// latter is `identity`, which belongs to the kind of run, with versions and the hashes of the input files.
+/// Returns the header of a run's journal: the invocation and everything that the results depend on. This is
+/// `identity`, which depends on the command, with versions and the hashes of the input files added.
 RunHeader run_header(const Invocation& invocation, std::vector<std::pair<std::string, std::string>> identity,
                      const std::vector<std::string>& inputs);
 

@@ -1,5 +1,6 @@
 #pragma once
-// A report page that is rewritten again and again while its run is under way.
+// Rewrites the report page of a search every few seconds, so that a browser can show the progress of the
+// search.
 
 #include <chrono>
 #include <string>

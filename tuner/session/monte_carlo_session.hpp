@@ -1,7 +1,7 @@
 #pragma once
-// A session that simulates a gain set on many arms that differ from the model at random. It reports the
-// samples, their spread and the verdict on the yield, and writes all files if it has a folder. A session with
-// a folder can be resumed there.
+// The work of the command `armtune robustness`. It simulates a gain set on many arms that differ from the
+// model at random. It reports the samples, their spread, and the share of arms that keep their limits (the
+// yield). If it has an output folder, it writes all files and can be resumed there.
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
-// The interface through which a session reports progress and warnings to its caller: the command line, Python
-// or a test. A session itself prints nothing.
+// The interface through which a session (the work of one command) reports progress and warnings to its
+// caller: the command line, Python or a test. A session itself prints nothing.
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,5 @@
 #pragma once
-// The files that a run writes at its end: its scene, its report and its verdict.
+// Writes the files with which a run ends: scene.json for the 3D replay, report.html and verdict.yaml.
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-// The data that every session gets from its caller: a stop flag and the command that makes the run again. It
-// also defines how a session ends.
+// Types that all sessions share. A session does the work of one armtune command. It gets from its caller a
+// stop flag and the command line that makes the run again. Its ending becomes the exit code.
 
 #include <atomic>
 #include <chrono>

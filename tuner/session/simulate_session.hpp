@@ -1,6 +1,7 @@
 #pragma once
-// A session that simulates scenarios under one gain set. It makes the rollouts, extends them for endurance if
-// requested, makes the checks, and writes all files if it has a folder.
+// The work of the command `armtune simulate`. It simulates scenarios with one gain set and checks the
+// rollouts. If requested, it also extends them to many minutes (endurance). If it has an output folder, it
+// writes all files.
 
 #include <functional>
 #include <optional>

@@ -23,7 +23,7 @@ std::string engine_text(Engine searched_in) {
 
 std::string robust_text(const Study& study) {
   if (!study.robust) return {};
-  return fmt::format(" ({} of {} arms each)",
+  return fmt::format(" ({} of {} arms in each scenario)",
                      risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
                      arms(*study.robust));
 }
@@ -82,7 +82,7 @@ void write_start(const Study& study, const std::string& folder) {
   write_text_file(
       folder + "/start/gains.yaml",
       gains_yaml(study.space.start, {study.given ? "armtune's first gains, for " + shown_path(study.source)
-                                                 : "start of " + shown_path(study.source)}));
+                                                 : "start gains of " + shown_path(study.source)}));
   if (study.given) {
     make_folder(folder + "/given");
     write_text_file(folder + "/" + kGivenGains,
@@ -113,8 +113,8 @@ void warn_of_clamped(const Study& study, SessionObserver& observer) {
 std::string given_note(const Study& study) {
   if (!study.given) return {};
   return fmt::format(
-      "the start gains of the study cannot be a reference ({}), so 'start' are first gains from armtune, and "
-      "'given' are the start gains of the study",
+      "the start gains of the study cannot be a reference ({}). Therefore armtune computed first gains, "
+      "which are named 'start' in the results; the study's own start gains are named 'given'",
       study.given_failure);
 }
 

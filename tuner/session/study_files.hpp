@@ -1,6 +1,6 @@
 #pragma once
-// The files that every run of a study (`tune`, `pareto`) writes into its folder. Also the descriptions of the
-// search that these files and the terminal show.
+// Writes the files that `armtune tune` and `armtune pareto` both leave in their run folder. Also describes
+// the search in words, for these files and for the terminal.
 
 #include <string>
 #include <utility>
@@ -22,7 +22,8 @@ inline constexpr const char* kGivenGains = "given/gains.yaml";
 std::string search_text(const Study& study);
 /// Returns "simbody", or, for example, "native, then simbody".
 std::string engine_text(Engine searched_in);
-/// Returns, for example, " (worst of 5 arms each)" if the study tunes on samples, else an empty text.
+/// Returns, for example, " (worst of 5 arms in each scenario)" if the study tunes on samples, else an empty
+/// text.
 std::string robust_text(const Study& study);
 /// Returns "300 evaluations" or, with a limit of time, "300 evaluations or 10 minutes".
 std::string budget_text(long max_evaluations, double max_minutes);
@@ -49,7 +50,8 @@ void write_start(const Study& study, const std::string& folder);
 /// Writes the warm start's gains into a run folder. Returns the file as study.yaml in that folder names it,
 /// or an empty text without a warm start.
 std::string write_warm(const Study& study, const std::string& folder);
-/// Warns of every gain that cannot begin where its warm start was, because a bound of the study prevents it.
+/// Warns of every gain whose value in the warm start lies outside the study's bounds. The search begins on
+/// the bound instead.
 void warn_of_clamped(const Study& study, SessionObserver& observer);
 
 /// Warns if the study begins with other gains than its file gives.

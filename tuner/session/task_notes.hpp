@@ -1,6 +1,6 @@
 #pragma once
-// Warnings about tasks that no gains can complete, or that the controller of the gains cannot complete. They
-// are made before anything is simulated.
+// Warns of scenarios that no gains can complete, or that the chosen kind of controller cannot complete. The
+// checks are made before anything is simulated.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@
 namespace armtune::internal {
 
 /// Warns if the scenario's path leaves the workspace or a joint's limits, runs through a singularity, or
-/// begins only after the scenario ends. Also warns if the controller does not learn and the scenario gives it
+/// begins only after the scenario ends. Also warns if the controller does not adapt and the scenario gives it
 /// no model of the arm. Throws InputError if the path itself winds a joint up beyond its limits within the
 /// scenario's duration, which no gain prevents. Returns the warnings, for the verdict's notes.
 std::vector<std::string> warn_of_task(const Scenario& scenario, const Gains& gains,

@@ -40,7 +40,7 @@ void TuneSession::extend_scenarios(const Gains& gains) {
   made_.endured = endure(
       study_.scenarios, [&gains](const Scenario&) { return gains; },
       {study_.thresholds.minutes, study_.stepper, settings_.workers,
-       progress_of(observer_, "checks: scenarios extended")},
+       progress_of(observer_, "checks: extended scenarios")},
       context_.stop);
   observer_.part_is_over();
 }
@@ -104,7 +104,7 @@ void TuneSession::check(bool analysed) {
     if (!add_margin_checks(study_, gains, deep_checks(), context_.stop, verdict))
       verdict.not_checked.emplace_back("stability margins (interrupted)");
     if (!add_rotor_check(study_, gains, deep_checks(), context_.stop, verdict))
-      verdict.not_checked.emplace_back("other rotor inertia than the estimated one (interrupted)");
+      verdict.not_checked.emplace_back("rotor inertia that differs from the estimate (interrupted)");
     check_yield();
     check_endurance();
   } else {

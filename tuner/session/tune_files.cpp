@@ -34,7 +34,7 @@ const char* title_of(SearchOutcome outcome) {
     case SearchOutcome::kStart:
       return "start gains: armtune found nothing better";
     case SearchOutcome::kLeastViolation:
-      return "NOT feasible: the point with the least violation that armtune found";
+      return "NOT feasible: of all gains that armtune tried, these violate the constraints least";
   }
   return "";
 }
@@ -118,7 +118,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
            fmt::format("objective {:.6g} (start: 1), largest velocity ratio {:.4f}{}, {}{}",
                        result.best.objective, largest_velocity_ratio(study, result.best), robust_text(study),
                        result.best.feasible ? "feasible" : "NOT feasible",
-                       result.best.engine == Engine::kSimbody ? "" : "; not yet judged by simbody")}));
+                       result.best.engine == Engine::kSimbody ? "" : "; not yet simulated in simbody")}));
 }
 
 std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder) {

@@ -1,5 +1,6 @@
 #pragma once
-// The files that a tuning session writes about its result, and the fresh rollouts that it reports.
+// Simulates the result of `armtune tune` again, and writes the files about it. The metrics in these files are
+// those of the new rollouts.
 
 #include <string>
 #include <vector>

@@ -188,7 +188,8 @@ void TuneSession::write_controllers_if_any() {
   try {
     outcome_.controllers = write_controllers(study_, outcome_.result.best.gains, folder());
   } catch (const InputError& e) {
-    observer_.warned(fmt::format("the tuned gains were written to gains.yaml only: {}", e.what()));
+    observer_.warned(
+        fmt::format("the tuned gains are in gains.yaml, but not in a ROS parameter file: {}", e.what()));
   }
   if (!outcome_.controllers.empty()) outcome_.files.push_back(outcome_.controllers);
 }

@@ -1,7 +1,7 @@
 #pragma once
-// A session that tunes gains, from the start gains to the verdict. It searches, simulates the result again,
-// analyses and checks it, and writes all files if it has a folder. A run in a folder that was killed or
-// interrupted can be resumed there.
+// The work of the command `armtune tune`, from the start gains to the verdict. It searches for better gains,
+// simulates the result again, analyses and checks it. If it has an output folder, it writes all files. A run
+// with a folder that was killed or interrupted can be resumed there.
 //
 //   TuneObserver silent;
 //   std::atomic<bool> stop{false};

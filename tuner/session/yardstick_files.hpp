@@ -1,7 +1,7 @@
 #pragma once
-// The comparison of rollouts with the best that the arm's limits allow, as far as a run's files show it. The
-// comparison needs the planner, which armtune may be built without. Therefore the caller passes it to a
-// session as a function.
+// The interface through which a session compares rollouts with the best motions that the arm's limits allow
+// (the yardstick). The comparison needs the trajectory planner, which armtune may be built without. Therefore
+// the caller passes it to a session as a function.
 
 #include <functional>
 #include <string>

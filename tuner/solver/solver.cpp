@@ -34,7 +34,7 @@ const std::vector<Offered>& offered() {
       {{"DIRECT_L", false, false, false, false, "dividing rectangles"}, NLOPT_GN_DIRECT_L},
       // Beyond 32 parameters NLopt 2.7 writes behind its arrays.
       {{"ORIG_DIRECT", false, true, false, false, "dividing rectangles", 32}, NLOPT_GN_ORIG_DIRECT},
-      {{"MLSL", false, false, false, false, "many BOBYQA searches from low-discrepancy starts"},
+      {{"MLSL", false, false, false, false, "many BOBYQA searches from low-discrepancy points"},
        NLOPT_GN_MLSL_LDS},
   };
   return list;
@@ -198,8 +198,8 @@ const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t paramete
   const AlgorithmInfo& info = algorithm_from_name(name);
   if (info.most_parameters > 0 && parameters > info.most_parameters) {
     throw InputError(fmt::format(
-        "algorithm '{}' takes at most {} parameters, but there are {}; use another one, or tune fewer", name,
-        info.most_parameters, parameters));
+        "algorithm '{}' takes at most {} parameters, but there are {}; use another algorithm, or tune fewer",
+        name, info.most_parameters, parameters));
   }
   return info;
 }
@@ -210,7 +210,7 @@ void check_start(const SolverProblem& problem) {
     const double lower = problem.lower_bound(i);
     const double upper = problem.upper_bound(i);
     if (lower <= problem.start[i] && problem.start[i] <= upper) continue;
-    throw InputError(fmt::format("coordinate {} of the start is {}; its bounds are {} .. {}", i + 1,
+    throw InputError(fmt::format("coordinate {} of the start point is {}; its bounds are {} .. {}", i + 1,
                                  problem.start[i], lower, upper));
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The search algorithms behind a small interface: NLopt's types stay in solver.cpp.
+// A small interface to the optimisation algorithms of NLopt, with which armtune searches for gains. NLopt's
+// own types stay in solver.cpp.
 
 #include <cstdint>
 #include <functional>
@@ -103,7 +104,8 @@ struct SolverAnswer {
 /// A function that computes the answer at one point; it returns false to end the search.
 using Oracle = std::function<bool(const std::vector<double>& x, bool derivatives, SolverAnswer& answer)>;
 
-/// Runs the bare algorithm, one point after the other. `problem.evaluate` is not used.
+/// Runs the algorithm itself, which requests one point after the other from `oracle`. `problem.evaluate` is
+/// not used.
 SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& options, const Oracle& oracle);
 
 }  // namespace armtune::internal

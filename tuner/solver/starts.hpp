@@ -1,5 +1,5 @@
 #pragma once
-// Starting points of searches, spread over a box.
+// Computes starting points for several local searches. They are spread evenly over the search box.
 
 #include <cstdint>
 #include <vector>

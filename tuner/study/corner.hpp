@@ -1,8 +1,9 @@
 #pragma once
-// Margins as constraints of a study. There is one corner rollout for each margin and scenario, on the nominal
-// arm, with the margin's quantity at the demanded value. The constraint holds exactly if `armtune margins`
-// finds that the loop holds there: the rollout completes, keeps the arm's velocity and position limits,
-// touches nothing, and saturates a joint in at most 1 % of its periods.
+// Stability margins as constraints of a study. For each demanded margin and scenario there is one extra
+// rollout of the nominal arm, called a corner. In it the margin's quantity, such as a delay, has the demanded
+// value. The constraint holds exactly if `armtune margins` finds the loop stable there: the rollout
+// completes, keeps the arm's velocity and position limits, touches nothing, and saturates a joint in at most
+// 1 % of its periods.
 
 #include <optional>
 #include <string>
@@ -29,18 +30,18 @@ struct MarginThreshold {
 };
 const std::array<MarginThreshold, kMarginCount>& margin_thresholds();
 
-/// Returns the value of the margin's own quantity that a demand means in the scenario: noise and rate are
-/// multiples of the scenario's own.
+/// Returns the value that the margin's quantity must have in the scenario to meet the demand. Noise and rate
+/// are demanded as multiples of the scenario's own values.
 double demanded_value(const MarginDemand& demand, const Scenario& scenario);
 
-/// True if the sensors of any scenario are noisy: without noise a factor on it demands nothing.
+/// True if the sensors of any scenario are noisy. Without noise, a factor on the noise demands nothing.
 bool has_noise(const std::vector<Scenario>& scenarios);
 
 /// Returns the scenario with the margin's quantity at the demanded value. Its name is the scenario's,
 /// followed by the demand.
 Scenario corner_of(const Scenario& scenario, const MarginDemand& demand);
 
-/// Returns by how much the loop fails to hold in a corner rollout; zero or less if it holds. It is the
+/// Returns by how much the loop misses stability in a corner rollout; zero or less if it is stable. It is the
 /// largest of these excesses: velocity (relative to the limit), position [rad, m], depth of a contact [m],
 /// saturated periods (relative to those allowed). It is 1 or more if the rollout did not complete.
 double missing_to_hold(const RolloutResult& result, const Scenario& corner);

@@ -1,5 +1,6 @@
 #pragma once
-// The evaluation of a candidate, and the ordering of candidates that every search uses.
+// The evaluation of one candidate gain set: its objective, its constraints and its simulation results. Also
+// the order of candidates, by which every search decides which one is better.
 
 #include <cmath>
 #include <string>

@@ -1,14 +1,14 @@
 #pragma once
-// Reads the keys of a study file that concern how well its gains hold on a real arm: several arms (`robust`),
-// margins (`margins`), and the thresholds of the checks after the search (`verdict`).
+// Reads the keys of a study file that concern robustness: the random arms to tune on (`robust`), the demanded
+// stability margins (`margins`), and the thresholds of the checks after the search (`verdict`).
 
 #include "sim/yaml/document.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
 
-/// Returns the arms that the keys of `robust` describe, which differ from those of the scenarios. Throws
-/// InputError with file, line and key.
+/// Returns the set of random arms that the keys of `robust` describe. The arms vary about those of the
+/// scenarios. Throws InputError with file, line and key.
 SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scenarios);
 
 /// Adds the demands of the keys of `margins`, and one constraint for each of them over its corners. The

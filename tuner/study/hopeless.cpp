@@ -42,13 +42,13 @@ Hopeless read_hopeless(const yaml::Node* node, Metric metric, bool upper, std::o
   const char* bound = upper ? "at_most" : "at_least";
   if (!can_be_hopeless(metric, upper)) {
     node->fail(
-        fmt::format("{} with {} can recover during a rollout, so 'hopeless' does not apply; leave the key "
-                    "out. With {} it applies to: {}",
+        fmt::format("{} can recover during a rollout and still meet '{}', so 'hopeless' does not apply; "
+                    "leave the key out. With '{}' it applies to: {}",
                     name(metric), bound, bound, fmt::join(names_of_those_that_can(upper), ", ")));
   }
   if (limit && (upper ? value <= *limit : value >= *limit)) {
-    node->fail(fmt::format("{} does not lie beyond the limit ({} {}); give a value {} it, or never", value,
-                           bound, *limit, upper ? "above" : "below"));
+    node->fail(fmt::format("{} does not lie beyond the limit ({} {}); give a value {} this limit, or 'never'",
+                           value, bound, *limit, upper ? "above" : "below"));
   }
   return {Hopeless::Kind::kFrom, value};
 }

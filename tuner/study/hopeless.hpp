@@ -1,6 +1,6 @@
 #pragma once
-// The value of a constraint's metric from which the constraint is broken too far to recover, so that a
-// rollout may be abandoned.
+// Decides when a constraint is broken so far that the rollout counts as hopeless. A search then abandons the
+// rollout to save time. This needs a metric that can only get worse during a rollout.
 
 #include <optional>
 #include <string>
@@ -20,12 +20,12 @@ struct Hopeless {
   double value = 0.0;  ///< for kFrom: value in the metric's unit
 };
 
-/// Returns true if a broken bound can be too far to recover: an upper one of a metric that only grows, a
-/// lower one of a metric that only shrinks.
+/// True if a bound, once broken, stays broken until the end of the rollout. This holds for an upper bound on
+/// a metric that only grows, and for a lower bound on a metric that only shrinks.
 bool can_be_hopeless(Metric metric, bool upper);
 
-/// Returns the value that kAuto stands for under a limit: joint_velocity/max_ratio from twice the limit on,
-/// joint_position/min_margin from 0.1 rad (m) beyond it on; none for other metrics and for the other bound.
+/// Returns the value at which kAuto abandons a rollout: twice the limit for joint_velocity/max_ratio, and
+/// 0.1 rad (m) beyond the limit for joint_position/min_margin. No value for other metrics and other bounds.
 std::optional<double> default_hopeless(Metric metric, bool upper, double limit);
 
 /// Reads a constraint's key `hopeless`: auto (also if null), never or a number beyond the limit. limit: none

@@ -24,13 +24,15 @@ double scale_of(double bound) {
                                    const std::string& where) {
   const std::string what =
       std::isfinite(start)
-          ? fmt::format("{} of the start gains in {} is {}, but a reference must be above zero",
-                        name(term.metric), scenario, start)
-          : fmt::format("the start gains give no value of {} in {}, so there is no reference",
+          ? fmt::format(
+                "{} of the start gains in {} is {}, but it must be above zero, because the objective "
+                "is relative to it",
+                name(term.metric), scenario, start)
+          : fmt::format("the start gains give no value of {} in {}, but the objective is relative to it",
                         name(term.metric), scenario);
   throw InputError(
       fmt::format("{}: {}. Use other start gains, leave the scenario out of the term's 'scenarios', or "
-                  "give the term a 'floor', the smallest reference [{}]{}",
+                  "give the term a 'floor', the smallest value that serves as reference [{}]{}",
                   where, what, field(term.metric).unit,
                   larger_is_better(term.metric) ? ". A constraint with 'at_least' needs no reference" : ""));
 }
@@ -46,7 +48,8 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     if (start[s].status != RolloutStatus::kCompleted && !scenarios[s].pushed) {
       throw InputError(
           fmt::format("{}: the start gains do not complete {}: {}. The objective is relative to the start "
-                      "gains; give gains that complete every scenario, with 'robust' on every random arm too",
+                      "gains; give gains that complete every scenario (with 'robust', on every random "
+                      "arm too)",
                       where, scenarios[s].name, start[s].reason));
     }
     durations_.push_back(scenarios[s].duration);
@@ -78,7 +81,8 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
       if (constraint.margin) continue;
       if (judged[s] && !constraint.limit && std::isnan(start_[s][constraint.metric])) {
         throw InputError(
-            fmt::format("{}: the start gains give no {} in {}, so 'start' is not a limit; give a number",
+            fmt::format("{}: the start gains give no {} in {}, so the limit 'start' has no value; give a "
+                        "number",
                         where, name(constraint.metric), scenarios[s].name));
       }
     }
@@ -102,8 +106,8 @@ void Objective::set_end_limits(const std::vector<Scenario>& scenarios, const std
         end_limits_[s].push_back(end);
       } else if (stated) {
         throw InputError(fmt::format(
-            "{}: {} of the start gains in {} is {}, but 'hopeless' begins at {}, so the start itself would "
-            "be abandoned; give a 'hopeless' beyond the start's value, or never",
+            "{}: {} of the start gains in {} is {}, but 'hopeless' begins at {}, so the rollout of the "
+            "start gains would be abandoned; set 'hopeless' to a worse value, or to 'never'",
             where, name(constraint.metric), scenarios[s].name, start_[s][constraint.metric], *value));
       }
     }

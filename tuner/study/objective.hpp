@@ -1,5 +1,6 @@
 #pragma once
-// Objective and constraints of a study: metrics over scenarios, relative to the start gains.
+// Computes the objective and the constraints of a study from the metrics of simulated scenarios. The
+// objective is relative to the start gains, which score 1.
 
 #include <algorithm>
 #include <functional>
@@ -42,12 +43,12 @@ struct Constraint {
 class Objective {
  public:
   /// scenarios: those that are simulated, corners included. start: results of the start gains, one per
-  /// scenario. By default a constraint is never hopeless in a scenario where the start would be.
+  /// scenario. A default `hopeless` is ignored in a scenario where it would abandon the start's own rollout.
   /// Throws InputError, with `where` in front, if the start gains give no reference:
-  /// - a scenario did not complete;
-  /// - a term's metric has no value, or none above zero;
+  /// - a scenario did not complete (corners may fail);
+  /// - a term has no reference above zero, neither its metric's value nor its floor;
   /// - the metric of a constraint with the limit `start` has no value;
-  /// - a constraint is hopeless by a value that the study gives;
+  /// - a value of `hopeless` in the study would abandon the start's own rollout;
   /// - `own` gives no number above zero.
   Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
             const std::vector<Scenario>& scenarios, const std::vector<RolloutResult>& start,
@@ -59,8 +60,8 @@ class Objective {
   /// the constraints were broken.
   void judge(Evaluation& e) const;
 
-  /// Returns the limits at which a candidate's rollouts are abandoned, per scenario of the study. They are
-  /// not meant for the start's own rollouts.
+  /// Returns the limits at which a candidate's rollouts are abandoned, per simulated scenario. They are not
+  /// meant for the start's own rollouts.
   const std::vector<EndLimits>& end_limits() const { return end_limits_; }
 
   const std::vector<ObjectiveTerm>& terms() const { return terms_; }
@@ -73,8 +74,8 @@ class Objective {
   std::size_t constraint_count() const { return constraints_.size() + 1; }
 
  private:
-  /// Returns 0 if the rollout completed, else 1 .. 2: larger the earlier it ended. A hopeless rollout counts
-  /// more the farther it had gone; one that diverged counts as gone as far as possible.
+  /// Returns 0 if the rollout completed, else 1 .. 2: larger the earlier it ended. For a hopeless rollout it
+  /// is also larger the farther its constraints were broken. A diverged one counts as broken without limit.
   double incompleteness(const RolloutResult& result, std::size_t s) const;
   /// Returns 0 .. 1: by how much, relative to its limit, the worst constraint that can be hopeless is broken.
   double how_far(const RolloutResult& result, std::size_t s) const;

@@ -92,7 +92,9 @@ void validate(const ParameterSpace& space, const std::string& where) {
       throw InputError(fmt::format("{}: parameter {}: {}", where, p.entry.name, what));
     };
     if (p.lower == 0.0 && p.upper == 0.0) {
-      fail("its default bounds are multiples of its start, 0; give 'lower' and 'upper', or remove it");
+      fail(
+          "its start value is 0, and its default bounds are multiples of it; give 'lower' and 'upper', or "
+          "remove the parameter");
     }
     if (p.lower == p.upper) {
       fail(fmt::format("both bounds are {0}; give a range, or fix the value with 'fixed: {0}'", p.lower));

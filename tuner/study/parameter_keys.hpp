@@ -1,5 +1,5 @@
 #pragma once
-// Private to tuner/study: reads the keys of a study file that say which gains it tunes.
+// Reads the keys of a study file that select the gains to tune and their bounds. Private to tuner/study.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-// A study: what is tuned, over which scenarios, for which metrics, under which constraints, and how.
+// A study is the complete definition of one tuning task: which gains are tuned, in which scenarios, for which
+// metrics, under which constraints, and by which search. It is usually read from a YAML file.
 
 #include <optional>
 #include <string>
@@ -51,7 +52,7 @@ struct Study {
   double verify_share = 0.03;        ///< with another engine: part of evaluations and minutes left to Simbody
 };
 
-/// Returns the text that messages about the study begin with: its file, or its name.
+/// Returns the text with which messages about the study begin: its file, or its name.
 inline const std::string& where(const Study& study) {
   return study.source.empty() ? study.name : study.source;
 }
@@ -59,7 +60,7 @@ inline const std::string& where(const Study& study) {
 /// Returns all scenarios that are simulated for an evaluation: the study's scenarios, then the corners of its
 /// margins, margin by margin.
 std::vector<Scenario> simulated_scenarios(const Study& study);
-/// Returns the number of results of an evaluation: one for each of these scenarios, folded over the arms of
+/// Returns the number of results of an evaluation: one for each of these scenarios, combined over the arms of
 /// `robust`.
 std::size_t results_per_evaluation(const Study& study);
 /// Returns the number of rollouts of an evaluation, with all arms of `robust`.
@@ -86,9 +87,9 @@ struct StudyParts {
   OwnObjective objective = {};           ///< in place of `objective`
 };
 
-/// Reads a bundled study by name, or a file by path. controller: the kind of controller to tune (empty: as
-/// the study says). If its kind is not that of the gains, it starts from gains that controlled_by converts,
-/// and all gains that are tuned by default are tuned. Throws InputError.
+/// Reads a bundled study by name, or a file by path. controller: the kind of controller to tune (empty: that
+/// of the study). If it is not the kind of the start gains, these are converted (controlled_by), and all
+/// gains that are tuned by default are tuned. Throws InputError.
 Study load_study(const std::string& name_or_path, const std::string& controller = {},
                  const StudyParts& parts = {});
 

@@ -214,7 +214,9 @@ Gains gains_of(yaml::MapReader& map, const std::string& folder, const StudyParts
     study.node = map.string("node", "");
     if (named != nullptr && !study.source.empty())
       study.gains = find_data_file("gains", named->as_string(), folder);
-    if (parts.joints != joints) throw InputError("study: the start gains are for an arm with other joints");
+    if (parts.joints != joints)
+      throw InputError(
+          "study: the start gains are for an arm with other joints; give gains for the scenarios' arm");
     return *parts.start;
   }
   study.gains = find_data_file("gains", map.required("gains").as_string(), folder);

@@ -19,9 +19,9 @@ const std::array<ThresholdField, 9>& threshold_fields() {
       {"arms", "1", "number of random arms", &VerdictThresholds::arms, true, 1.0, 100000.0, true},
       {"minutes", "min", "simulated time to which every scenario is extended", &VerdictThresholds::minutes,
        true, 0.0, 1440.0},
-      {"rms_growth", "1", "largest allowed ratio of RMS error, last minutes to first minutes",
+      {"rms_growth", "1", "largest allowed ratio of the RMS errors in the last and the first minutes",
        &VerdictThresholds::rms_growth, false, 1.0, 1000.0},
-      {"peak_growth", "1", "largest allowed ratio of peak error, last minutes to first minutes",
+      {"peak_growth", "1", "largest allowed ratio of the peak errors in the last and the first minutes",
        &VerdictThresholds::peak_growth, false, 1.0, 1000.0},
   }};
   return fields;

@@ -1,6 +1,6 @@
 #pragma once
-// The thresholds of the simulation checks, declared once. A study may change them; a loosened one is printed
-// with the verdict.
+// The thresholds of the checks that the tuned gains must pass in simulation, such as the smallest allowed
+// delay margin. A study may change them. A loosened threshold is printed with the verdict.
 
 #include <array>
 #include <string>
@@ -9,10 +9,10 @@
 namespace armtune::internal {
 
 struct VerdictThresholds {
-  double delay_periods = 1.0;  ///< extra torque delay with which every loop must hold [control periods]
-  double gain = 1.2;           ///< common factor on the loop's gains with which it must hold
-  double noise = 2.0;          ///< factor on the sensors' noise with which it must hold
-  double rate = 0.8;           ///< share of the control rate at which it must still hold
+  double delay_periods = 1.0;  ///< extra torque delay that every loop must tolerate [control periods]
+  double gain = 1.2;           ///< common factor on the loop's gains that it must tolerate
+  double noise = 2.0;          ///< factor on the sensors' noise that it must tolerate
+  double rate = 0.8;           ///< share of the control rate at which it must still be stable
   double yield = 0.95;         ///< share of the random arms that must keep velocity and position limits
   double arms = 200.0;         ///< number of random arms
   double minutes = 30.0;       ///< simulated time that every scenario is extended to

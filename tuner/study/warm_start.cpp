@@ -51,7 +51,8 @@ void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const P
   warm.gains = load_gains(warm.source, joints);
   if (warm.gains.controller != space.start.controller) {
     throw InputError(fmt::format(
-        "{}: gains of the controller {}, but the study tunes gains of {}; give gains of this controller",
+        "{}: holds gains of the controller {}, but the study tunes the controller {}; give a warm start for "
+        "the study's controller",
         warm.source, warm.gains.controller, space.start.controller));
   }
 }
@@ -66,7 +67,8 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
     const GainEntry& entry = space.free[i].entry;
     if (!has(warm.gains, entry)) {
       throw InputError(
-          fmt::format("{}: no {}, but the study tunes it; add it, or name the gains to take from this file",
+          fmt::format("{}: no {} is given, but the study tunes this gain; add it, or name the gains to take "
+                      "from this file",
                       warm.source, entry.name));
     }
     value(there, entry) = value(warm.gains, entry);

@@ -1,6 +1,6 @@
 #pragma once
-// A warm start: the search begins where another one ended. The study's own start gains remain the reference
-// of the objective.
+// A warm start: a search begins at the gains that an earlier run found. The study's own start gains remain
+// the reference of the objective.
 
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ struct WarmStart {
   std::optional<double> step;           ///< initial step in the unit box; none: the study's times `box`
 };
 
-/// The point where the search begins, and the box that it keeps to, in search coordinates.
+/// The point where the search begins, and the box that it does not leave, in search coordinates.
 struct WarmPoint {
   std::vector<double> x;
   std::vector<double> lower;

@@ -1,6 +1,6 @@
 #pragma once
-// Searches for single points of a front: each minimises one criterion and limits the others. Every search
-// reuses what was simulated for the others.
+// Searches for single points of a Pareto front. Each search minimises one criterion and sets upper limits for
+// the others. A gain set that one search has simulated is not simulated again for another.
 
 #include <map>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-// A criterion of a trade-off: the study's objective, or a metric over its scenarios.
+// A criterion of a Pareto front: the study's objective, or the worst value of a metric over its scenarios.
 
 #include <optional>
 #include <string>

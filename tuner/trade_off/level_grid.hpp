@@ -1,5 +1,6 @@
 #pragma once
-// The grid of levels of a front's criteria, and the order in which its levels are searched.
+// The grid of levels for the search of a Pareto front. A level is a set of upper limits on all criteria but
+// the first, which is minimised. Also the order in which the levels are searched.
 
 #include <cstddef>
 #include <vector>

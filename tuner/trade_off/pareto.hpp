@@ -1,5 +1,5 @@
 #pragma once
-// The trade-off front of a study: how much one criterion costs in another.
+// Finds the Pareto front of a study, which shows how much one criterion gets worse when another one improves.
 //
 // It uses the epsilon-constraint method (Haimes, Lasdon, Wismer, 1971). It minimises the first criterion
 // while the others must not exceed a level, level by level, there and back. Each search begins at the best

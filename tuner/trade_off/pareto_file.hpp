@@ -1,5 +1,5 @@
 #pragma once
-// Writes a front as files and as text.
+// Formats a Pareto front as the file pareto.csv and as a table for the terminal.
 
 #include <string>
 
@@ -19,7 +19,7 @@ std::string pareto_csv(const Study& study, const ParetoOptions& options, const P
 /// dominate the start, and the hypervolume.
 std::string pareto_table(const Study& study, const ParetoOptions& options, const ParetoResult& result);
 
-/// Returns the file of a point's gains below the run's folder, such as "points/07.yaml".
+/// Returns the name of the file with a point's gains, below the run's folder: "points/07.yaml".
 std::string point_file(std::size_t point);
 
 }  // namespace armtune::internal

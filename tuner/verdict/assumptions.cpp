@@ -32,7 +32,7 @@ std::string rotors_text(const RobotModel& robot) {
     return fmt::format("{} has no rotor inertia, because its file gives none", robot.name);
   }
   return fmt::format(
-      "{} of {} without rotor inertia, because its file gives none, and its other joints as in the file",
+      "{} of {} without rotor inertia, because its file gives none, and the other joints as in the file",
       fmt::join(without, ", "), robot.name);
 }
 
@@ -76,7 +76,8 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
       add_once(
           robot.drive_velocity_gain.size() > 0
               ? fmt::format("the drives of {} have the velocity loops that its file gives", robot.name)
-              : fmt::format("the drives of {} have velocity loops of {:.0f} /s, because its file gives none",
+              : fmt::format("the drives of {} have velocity loops with a rate of {:.0f} /s, because its file "
+                            "gives none",
                             robot.name, kDriveRate),
           verdict.assumes);
     if (robot.compensates_gravity)
@@ -100,7 +101,7 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
       add_once(fmt::format("the file of {} is correct, although it looks wrong: {}", robot.name, doubt),
                verdict.assumes);
     if (scenario.clearance && !scenario.clearance->arm().unknown.empty())
-      add_once(fmt::format("no contact with the shapes of {} of {} that could not be read",
+      add_once(fmt::format("the missing or unreadable shapes of {} of {} touch nothing",
                            fmt::join(scenario.clearance->arm().unknown, ", "), robot.name),
                verdict.assumes);
     if (scenario.clearance) {
@@ -113,9 +114,9 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
     const RobotModel plant = plant_model(scenario);
     const std::vector<std::string> stiff = stiff_joints(scenario, plant);
     if (!stiff.empty() && stepper != Stepper::kReference) {
-      add_once(fmt::format("in {}, friction stops {} within a control period: the simulation is stable, but "
-                           "velocity peaks may be higher on the real arm (--stepper reference resolves them, "
-                           "but is slow: see --rollout-deadline)",
+      add_once(fmt::format("in {}, friction stops {} within a control period, so velocity peaks may be "
+                           "higher on the real arm than simulated (--stepper reference resolves them, but is "
+                           "slow and may need a longer --rollout-deadline)",
                            scenario.name, fmt::join(stiff, ", ")),
                verdict.assumes);
     }

@@ -1,5 +1,6 @@
 #pragma once
-// Lists what the simulation checks assume of an arm and of its simulation, for the "Assumes:" of a verdict.
+// Lists what the checks assume about an arm and about its simulation. The verdict on a gain set shows this
+// list after the word "Assumes:".
 
 #include <string>
 #include <vector>
@@ -24,8 +25,8 @@ void add_engine_assumption(Engine engine, const std::string& which, SimulationVe
 void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
                                SimulationVerdict& verdict);
 
-/// Name of the random arms of a yield that only the engine simulated. Arms that break a limit are simulated
-/// again in Simbody.
+/// Name of the random arms that only another engine than Simbody simulated. Arms that break a limit are
+/// simulated again in Simbody.
 inline constexpr const char* kArmsThatKept = "the random arms that keep their limits";
 
 }  // namespace armtune::internal

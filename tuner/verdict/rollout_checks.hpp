@@ -1,5 +1,6 @@
 #pragma once
-// Checks of finished rollouts: their completion, and the arm's own limits.
+// Adds the checks of finished rollouts to a verdict: completion, joint limits, contacts, and the growth of
+// errors over a long time.
 
 #include <string>
 #include <vector>

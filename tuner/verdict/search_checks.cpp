@@ -155,8 +155,8 @@ void add_bounds_note(const Study& study, const Gains& gains, SimulationVerdict& 
   }
   if (names.empty()) return;
   verdict.notes.push_back(
-      fmt::format("{} of {} gains lie on a bound of the study, which may hold them back: {}", names.size(),
-                  study.space.free.size(), fmt::join(names, ", ")));
+      fmt::format("{} of {} gains lie on a bound of the study, and wider bounds may be better: {}",
+                  names.size(), study.space.free.size(), fmt::join(names, ", ")));
 }
 
 bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,

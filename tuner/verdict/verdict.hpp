@@ -1,6 +1,6 @@
 #pragma once
-// The verdict on a gain set (include/armtune/verdict.hpp): the simulation checks that it passed, what was not
-// checked, and what the checks assume. Commands print it last, the report shows it first, and exit codes
+// The verdict on a gain set (include/armtune/verdict.hpp): the simulation checks with their results, what was
+// not checked, and what the checks assume. Commands print it last, the report shows it first, and exit codes
 // depend on it.
 //
 //   SimulationVerdict verdict;

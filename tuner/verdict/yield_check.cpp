@@ -41,8 +41,8 @@ std::string kept_text(const std::vector<MonteCarloSample>& samples) {
   const std::size_t kept = kept_of(samples);
   const auto [low, high] = wilson_interval(kept, samples.size());
   return fmt::format(
-      "{} of {} random arms keep the limits and saturate in at most {:.0f} % of the periods (95 % confidence "
-      "{:.1f} to {:.1f} %)",
+      "{} of {} random arms keep the limits, with saturated torque in at most {:.0f} % of the control "
+      "periods (95 % confidence {:.1f} to {:.1f} %)",
       kept, samples.size(), 100.0 * kSaturatedShare, 100.0 * low, 100.0 * high);
 }
 
@@ -65,15 +65,15 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
         causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     check.joint = cause.joint;
     check.scenario = scenarios[cause.scenario].name;
-    check.detail = fmt::format("most frequent failure, on {} {}{}: {}; ", count, count == 1 ? "arm" : "arms",
-                               cause.joint.empty() ? "" : " by this joint", cause.broken);
+    check.detail = fmt::format("most frequent failure ({} {}{}): {}; ", count, count == 1 ? "arm" : "arms",
+                               cause.joint.empty() ? "" : ", at this joint", cause.broken);
   }
   check.detail += kept_text(samples);
   return check;
 }
 
 std::string spread_text(const std::string& whose, const Perturbation& perturbation) {
-  return fmt::format("{} spread of arms, {}", whose,
+  return fmt::format("{} random changes of the arm ({})", whose,
                      perturbation.payload > 0.0
                          ? fmt::format("payloads up to {:.3g} kg", perturbation.payload)
                          : std::string("each with the scenario's payload"));
@@ -84,9 +84,9 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
                                 const MonteCarloOptions& options) {
   SimulationVerdict verdict;
   verdict.checks.push_back(yield_check(scenarios, samples, VerdictThresholds().yield));
-  verdict.not_checked = {"the scenario's own arm (armtune simulate)",
-                         fmt::format("effort limits, except torque that saturates in over {:.0f} % of the "
-                                     "periods",
+  verdict.not_checked = {"the scenario's own arm, without random changes (armtune simulate)",
+                         fmt::format("effort limits, except for torque that saturates in over {:.0f} % of "
+                                     "the control periods",
                                      100.0 * kSaturatedShare),
                          "what happens after the scenarios end (armtune simulate --endurance)",
                          "stability margins (armtune margins)"};
@@ -97,7 +97,7 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
       return l.metric == own.metric && l.upper == own.upper &&
              (l.upper ? l.value <= own.value : l.value >= own.value);
     });
-    if (!kept) verdict.not_checked.push_back(fmt::format("{}, which --limit replaces", to_string(own)));
+    if (!kept) verdict.not_checked.push_back(fmt::format("{}, because --limit replaces it", to_string(own)));
   }
   verdict.assumes.push_back(spread_text("the given", options.perturbation));
   add_engine_assumption(options.engine, kArmsThatKept, verdict);

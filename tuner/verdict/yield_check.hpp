@@ -8,13 +8,13 @@
 
 namespace armtune::internal {
 
-/// Checks the share of samples that keep their limits against `asked`. The check names what is broken most
-/// often: the scenario, the limit and, for velocity limits, the joint. samples: at least one.
+/// Returns a check that the share of samples that keep their limits is at least `asked`. It names the
+/// most frequent failure: the scenario, the limit and, for velocity limits, the joint. samples: at least one.
 Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
                   double asked);
 
-/// Returns, for example, "9 of 10 random arms keep the limits and saturate in at most 1 % of the
-/// periods (95 % confidence 59.6 to 98.2 %)".
+/// Returns, for example, "9 of 10 random arms keep the limits, with saturated torque in at most 1 % of
+/// the control periods (95 % confidence 59.6 to 98.2 %)".
 std::string kept_text(const std::vector<MonteCarloSample>& samples);
 
 /// Returns the verdict on random arms alone. It lists what they leave unchecked, which includes the arm's own
@@ -23,8 +23,8 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
                                 const std::vector<MonteCarloSample>& samples,
                                 const MonteCarloOptions& options);
 
-/// Returns, for example, "the default spread of arms, payloads up to 5 kg". whose: "the default" or another
-/// owner of the spread.
+/// Returns, for example, "the default random changes of the arm (payloads up to 5 kg)". whose: "the default"
+/// or another owner of the changes.
 std::string spread_text(const std::string& whose, const Perturbation& perturbation);
 
 }  // namespace armtune::internal

@@ -55,15 +55,15 @@ class ByteReader {
   /// Throws FailedError unless everything was taken.
   void end() const {
     if (!left_.empty()) {
-      throw FailedError("a message is " + std::to_string(left_.size()) + " bytes too long");
+      throw FailedError("a message between ranks is " + std::to_string(left_.size()) + " bytes too long");
     }
   }
 
  private:
   std::string_view take(std::uint64_t count) {
     if (count > left_.size()) {
-      throw FailedError("a message is too short: expected " + std::to_string(count) + " more bytes, but " +
-                        std::to_string(left_.size()) + " are left");
+      throw FailedError("a message between ranks is too short: expected " + std::to_string(count) +
+                        " more bytes, but " + std::to_string(left_.size()) + " are left");
     }
     const std::string_view taken = left_.substr(0, count);
     left_.remove_prefix(count);

@@ -1,6 +1,6 @@
 #pragma once
-// Simulates candidates in parallel. The unit of work is one rollout. Every worker has its own plants, so
-// results depend neither on the number of workers nor on where they run.
+// Simulates candidate gain sets in parallel. The unit of work is one rollout. Every worker has its own
+// simulation models, so results depend neither on the number of workers nor on where they run.
 
 #include <atomic>
 #include <functional>
@@ -15,8 +15,8 @@
 
 namespace armtune::internal {
 
-/// Returns the plan for the scenarios as they are, or for each arm of a sample set. Corners of margins keep
-/// their own arm; they must come last.
+/// Returns the plan for simulating the scenarios with their own arms, or with each arm of a sample set. The
+/// corners of margins (corner.hpp) keep their own arm; they must come last.
 RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
                     const std::optional<SampleSet>& samples);
 

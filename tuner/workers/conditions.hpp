@@ -1,5 +1,6 @@
 #pragma once
-// The conditions under which candidates are simulated.
+// The conditions under which candidate gain sets are simulated: the simulation engine, and the limits at
+// which a rollout ends early.
 
 #include <vector>
 

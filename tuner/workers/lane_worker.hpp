@@ -1,6 +1,6 @@
 #pragma once
-// A worker in this process. It simulates jobs of the native engine side by side, as many as the processor has
-// lanes for, and all other jobs one at a time.
+// A worker that simulates rollouts in this process. With the native engine it simulates several rollouts at
+// once, one in each SIMD lane of the processor. All other rollouts are simulated one at a time.
 
 #include <memory>
 #include <vector>
@@ -23,8 +23,8 @@ class LaneWorker : public RolloutWorker {
 
   /// Starts jobs until the lanes are full or no more come. Jobs that cannot use lanes are simulated at once.
   void start_jobs(JobSource& jobs);
-  /// Returns true if any next job could start at once, whatever its kind. Otherwise no job is taken, so that
-  /// other workers can take it.
+  /// True if a further job could start now, whatever its kind. Otherwise no job is taken, so that other
+  /// workers can take it. share: see JobSource::share.
   bool has_room(std::size_t share) const;
   /// Returns the number of rollouts under way in all groups.
   std::size_t busy() const;

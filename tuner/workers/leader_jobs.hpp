@@ -1,5 +1,6 @@
 #pragma once
-// A source of the jobs that rank 0 sends to this rank. Its worker gets them as they arrive, several at once.
+// Receives the rollouts (jobs) that rank 0 sends to this MPI rank, and passes them to this rank's worker.
+// Several jobs can be under way at once.
 
 #include <chrono>
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace armtune::internal {
 
 class LeaderJobs final : public JobSource {
  public:
-  /// first: a job message. others: receives a message that arrives meanwhile and is not a job of the same
-  /// pool. Such a message ends the work.
+  /// first: the first job message. others: receives a message that arrives during the work and is not a job
+  /// of the same pool. Such a message ends the work.
   LeaderJobs(Transport& transport, const std::string& first, std::deque<std::string>& others);
 
   std::uint64_t pool() const { return pool_; }

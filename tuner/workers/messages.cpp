@@ -22,8 +22,8 @@ ByteReader opened(const std::string& message, MessageKind kind) {
   ByteReader reader(message);
   const std::uint64_t found = reader.integer();
   if (found != static_cast<std::uint64_t>(kind)) {
-    throw FailedError(
-        fmt::format("a message is of kind {}, not {}", found, static_cast<std::uint64_t>(kind)));
+    throw FailedError(fmt::format("a message between ranks is of kind {}, not {}", found,
+                                  static_cast<std::uint64_t>(kind)));
   }
   return reader;
 }
@@ -48,7 +48,8 @@ void add_gains(ByteWriter& writer, const Gains& gains) {
 void make_room(Gains& gains, const GainField& field, std::uint64_t count) {
   const auto resize = [&](auto& values) {
     if (count > static_cast<std::uint64_t>(std::remove_cvref_t<decltype(values)>::MaxRowsAtCompileTime)) {
-      throw FailedError(fmt::format("a message's {} has {} numbers", field.name, count));
+      throw FailedError(
+          fmt::format("a message between ranks has too many numbers for {}: {}", field.name, count));
     }
     values.resize(static_cast<Eigen::Index>(count));
   };
@@ -68,7 +69,9 @@ Gains read_gains(ByteReader& reader) {
   for (const GainField& field : fields_of(gains)) {
     const std::uint64_t first = reader.integer();
     if (!field.is_number()) {
-      if (first > 1) throw FailedError(fmt::format("a message's {} is {}", field.name, first));
+      if (first > 1)
+        throw FailedError(
+            fmt::format("in a message between ranks, {} is {}; expected 0 or 1", field.name, first));
       if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) {
         gains.** flag = first == 1;
       } else {
@@ -79,8 +82,8 @@ Gains read_gains(ByteReader& reader) {
     make_room(gains, field, first);
     const auto values = numbers(gains, field);
     if (values.size() != first) {
-      throw FailedError(
-          fmt::format("a message's {} has {} numbers, not {}", field.name, first, values.size()));
+      throw FailedError(fmt::format("in a message between ranks, {} has {} numbers, not {}", field.name,
+                                    first, values.size()));
     }
     for (double& value : values) value = reader.number();
   }
@@ -89,7 +92,8 @@ Gains read_gains(ByteReader& reader) {
 
 Metric read_metric(ByteReader& reader) {
   const std::uint64_t metric = reader.integer();
-  if (metric >= kMetricCount) throw FailedError(fmt::format("a message's metric is {}", metric));
+  if (metric >= kMetricCount)
+    throw FailedError(fmt::format("a message between ranks has the unknown metric {}", metric));
   return static_cast<Metric>(metric);
 }
 
@@ -162,7 +166,7 @@ NumberedJob read_job(const std::string& message) {
   }
   const std::uint64_t engine = reader.integer();
   if (engine > static_cast<std::uint64_t>(Engine::kNative)) {
-    throw FailedError(fmt::format("a message's engine is {}", engine));
+    throw FailedError(fmt::format("a message between ranks has the unknown engine {}", engine));
   }
   job.job.engine = static_cast<Engine>(engine);
   reader.end();
@@ -200,7 +204,8 @@ std::pair<std::uint64_t, RolloutResult> read_result(const std::string& message) 
   RolloutResult result;
   const std::uint64_t status = reader.integer();
   result.status = static_cast<RolloutStatus>(status);
-  if (!*name(result.status)) throw FailedError(fmt::format("a message's status is {}", status));
+  if (!*name(result.status))
+    throw FailedError(fmt::format("a message between ranks has the unknown status {}", status));
   result.end_time = reader.number();
   result.reason = reader.text();
   result.metrics.max_ratio_joint = reader.text();
@@ -234,7 +239,9 @@ int read_bye(const std::string& message) {
   constexpr std::uint64_t kLargest = 255;
   ByteReader reader = opened(message, MessageKind::kBye);
   const std::uint64_t exit_code = reader.integer();
-  if (exit_code > kLargest) throw FailedError(fmt::format("a message's exit code is {}", exit_code));
+  if (exit_code > kLargest)
+    throw FailedError(
+        fmt::format("a message between ranks has the exit code {}; at most 255 is possible", exit_code));
   reader.end();
   return static_cast<int>(exit_code);
 }

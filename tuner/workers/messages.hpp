@@ -1,5 +1,6 @@
 #pragma once
-// The messages between ranks, as bytes. Every message begins with its kind.
+// Encodes and decodes the messages between the MPI ranks of a run. A message is a string of bytes that begins
+// with the kind of the message.
 
 #include <cstdint>
 #include <string>
@@ -12,7 +13,7 @@
 namespace armtune::internal {
 
 enum class MessageKind : std::uint64_t {
-  kHello,    ///< to rank 0: the host, and all that must be the same everywhere
+  kHello,    ///< to rank 0: the host, and all facts that must be the same in every rank
   kGo,       ///< from rank 0: all ranks agree, jobs follow
   kJob,      ///< from rank 0
   kStop,     ///< from rank 0: interrupt the jobs up to this number

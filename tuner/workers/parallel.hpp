@@ -1,5 +1,5 @@
 #pragma once
-// Shares jobs out to threads, in order. Each job writes its result into a slot of its own, so results do not
+// Distributes jobs to threads, in order. Each job writes its result into a slot of its own, so results do not
 // depend on which thread did which job.
 
 #include <fmt/format.h>

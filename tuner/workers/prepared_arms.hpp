@@ -1,6 +1,6 @@
 #pragma once
-// A cache of a plan's arms, prepared for simulation. Only few are kept, so that memory does not grow with the
-// number of samples.
+// A cache of arms that are ready for simulation, one for each scenario and random sample. It keeps the 64
+// arms used last, so that memory does not grow with the number of samples.
 
 #include <algorithm>
 #include <cstdint>

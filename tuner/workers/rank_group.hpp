@@ -1,6 +1,7 @@
 #pragma once
-// The processes that do the rollouts of one command together. Either this process works alone, with threads,
-// or several ranks do: rank 0 leads, and the others work for it.
+// The processes that simulate the rollouts of one command together. Either this process works alone, with
+// threads, or there are several MPI ranks. With ranks, rank 0 distributes the rollouts and collects the
+// results.
 
 #include <deque>
 #include <memory>

@@ -1,5 +1,6 @@
 #pragma once
-// The plan of a run, which all workers have before it begins, and the unit of work, which is one rollout.
+// The data that all workers of a run have before it begins: the scenarios, the integrator and the random
+// arms. Also the job of a worker, which is one rollout with given gains.
 
 #include <cstdint>
 #include <limits>

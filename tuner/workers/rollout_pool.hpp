@@ -1,5 +1,6 @@
 #pragma once
-// The workers of a plan, to which all jobs are shared out.
+// A pool of workers that simulate rollouts in parallel. It distributes the jobs to them and collects the
+// results.
 
 #include <atomic>
 #include <functional>

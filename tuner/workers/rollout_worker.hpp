@@ -1,6 +1,6 @@
 #pragma once
-// The interface of a worker. It does rollouts, one at a time or several side by side, in this or in another
-// process.
+// The interface of a worker, which simulates rollouts. It simulates one at a time or several at once, in this
+// process or in another one.
 
 #include <cstddef>
 #include <optional>

@@ -29,12 +29,12 @@ Rollout& SingleRollouts::rollout(const RolloutJob& job) {
 
 FailedError SingleRollouts::late(const RolloutJob& job, int arms, double simulated) const {
   const Scenario& scenario = plan_.scenarios[job.scenario];
-  return FailedError(
-      fmt::format("{}{}: the rollout simulated only {:.3f} s of {} s within its deadline of {} s{}; give "
-                  "more time with --rollout-deadline, or find out what slows it down",
-                  scenario.name, plan_.draw ? fmt::format(", sample {}", job.sample) : "", simulated,
-                  scenario.duration, deadline_of(plan_.deadline, scenario),
-                  arms > 1 ? fmt::format(" (times {}, the number of arms side by side)", arms) : ""));
+  return FailedError(fmt::format(
+      "{}{}: the rollout simulated only {:.3f} s of {} s within its deadline of {} s{}; give "
+      "more time with --rollout-deadline, or find out what slows it down",
+      scenario.name, plan_.draw ? fmt::format(", sample {}", job.sample) : "", simulated, scenario.duration,
+      deadline_of(plan_.deadline, scenario),
+      arms > 1 ? fmt::format(" (multiplied by {}, the number of arms simulated side by side)", arms) : ""));
 }
 
 RolloutResult SingleRollouts::run(const RolloutJob& job, const std::function<bool()>& stop) {

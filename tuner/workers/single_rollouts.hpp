@@ -1,5 +1,6 @@
 #pragma once
-// Simulates rollouts of a plan in this process, one at a time.
+// Simulates rollouts in this process, one at a time. It reuses simulation models that are ready from earlier
+// rollouts.
 
 #include <cstdint>
 #include <functional>
@@ -29,7 +30,7 @@ class SingleRollouts {
   FailedError late(const RolloutJob& job, int arms, double simulated) const;
 
  private:
-  /// A prepared plant. Only few are kept.
+  /// A simulation model that is ready for a rollout. Only few are kept.
   struct Ready {
     std::size_t scenario;
     std::uint64_t sample;

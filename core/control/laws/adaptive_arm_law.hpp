@@ -1,6 +1,8 @@
 #pragma once
-// The adaptive law (equations 5 and 6):  tau = Y theta - Kd S,   theta <- theta - gamma Y^T S dt.
-// Sources of its options are in core/control/adaptation.hpp and adaptation_filter.hpp.
+// The adaptive law of Slotine and Li, as a template for one arm or several at once (arm_law.hpp). Equations 5
+// and 6 in NOTATION.md:
+//   tau = Y theta - Kd S,   theta <- theta - gamma Y^T S dt.
+// For its options and their sources see core/control/adaptation.hpp and adaptation_filter.hpp.
 
 #include "core/control/adaptation.hpp"
 #include "core/control/adaptation_filter.hpp"

@@ -1,7 +1,8 @@
 #pragma once
-// Control laws that are written once, for one arm (T = double) and for several side by side (T = Pack<W>).
-// The torques of every arm are bit-identical to those of the arm alone. What is a branch for one arm is a
-// choice between results for several (core/common/select.hpp).
+// The interface of control laws that are templates over their scalar type T. They compute one arm with
+// T = double, or W arms at once with T = Pack<W> (core/common/pack.hpp). The torques of every arm are
+// bit-identical in both cases. To serve several arms, a law selects between results
+// (core/common/select.hpp) where code for one arm would branch.
 
 #include <memory>
 #include <type_traits>
@@ -13,7 +14,7 @@
 
 namespace armtune::internal {
 
-/// The laws that are written in this form.
+/// The laws that are templates of this kind.
 enum class ArmLawKind { kAdaptive, kComputedTorque, kJointPd, kImpedance };
 
 /// The inputs of such a law in one control period.
@@ -32,14 +33,14 @@ struct LawPeriodT {
   T dt;                        ///< control period [s]
 };
 
-/// The values that an arm's law starts with.
+/// The start values of an arm's law: model parameters and gains.
 struct LawNumbers {
   const double* theta;       ///< 13 n
-  const double* const* own;  ///< values of each of the controller's own gains
+  const double* const* own;  ///< values of each gain that only this kind of controller has
   double adaptation_gain = 0.0;
   double adaptation_leakage = 0.0;  ///< [1/s]
   double inertia_leakage = 0.0;     ///< [1/s]
-  double filter_share = 0.0;        ///< share of the adaptation's filter (filter_share()); 0: no filter
+  double filter_share = 0.0;        ///< filter_share() of the adaptation's filter; 0: no filter
 };
 
 template <typename T>
@@ -50,16 +51,17 @@ class ArmLawT {
   ArmLawT& operator=(const ArmLawT&) = delete;
   virtual ~ArmLawT() = default;
 
-  /// Starts the arm in a lane (lane 0 for a single arm).
+  /// Starts the law of one arm. lane: the arm's place in T (0 for a single arm).
   virtual void start(int lane, const LawNumbers& numbers) = 0;
   /// Sets tau (n). Allocates nothing.
   virtual void torque(const LawPeriodT<T>& at, JointVectorT<T>& tau) = 0;
-  /// Is called at the end of the period of the last torque(). learning: true for arms without a saturated
-  /// joint whose adaptation is wanted.
+  /// Is called at the end of every period, after torque(). learning: true for arms that may adapt now,
+  /// because no joint is saturated and adaptation is wanted.
   virtual void conclude(const LawPeriodT<T>& /*at*/, const MaskT<T>& /*learning*/) {}
   /// Returns the parameters of the law's present model of the arm (13 n).
   virtual ParameterVectorT<T>& theta() = 0;
-  /// Returns the motion of the last period's q', qr', qr'', from which Y follows; null if the law has none.
+  /// Returns the motion of the last period's q', qr', qr'', from which the regressor Y follows; null if the
+  /// law has none.
   virtual const SlotineLiT<T>* references_motion() const { return nullptr; }
 
  protected:
@@ -97,7 +99,7 @@ class ArmLawT {
   }
 };
 
-/// Makes a law for arms of n joints.
+/// Makes a law for arms of n joints. It is defined in make_arm_law.hpp.
 template <typename T>
 std::unique_ptr<ArmLawT<T>> make_arm_law(ArmLawKind kind, int n);
 

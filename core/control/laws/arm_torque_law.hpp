@@ -1,5 +1,6 @@
 #pragma once
-// An adapter that uses a law for several arms (arm_law.hpp) as the law of a single arm.
+// An adapter: it makes a law that is a template for one or several arms (arm_law.hpp) usable as the torque
+// law of one arm (torque_law.hpp).
 
 #include <memory>
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace armtune::internal {
 
-/// Returns the values that such a law starts with under these gains. own: storage for the pointers to the
-/// controller's own gains. It, gains and theta must outlive the result.
+/// Returns the start values of such a template for these gains. own: storage for pointers to the gains that
+/// only this kind of controller has. own, gains and theta must outlive the result.
 LawNumbers law_numbers(const Gains& gains, const ParameterVector& theta, double period,
                        std::vector<const double*>& own);
 

@@ -1,6 +1,8 @@
 #pragma once
-// Computed torque in Cartesian space: inverse dynamics of J+ (xr'' - D (x' - xr') - J' q'). Joint motion that
-// the task leaves free is damped, and all of it while the controller tracks joint positions.
+// Computed torque in Cartesian space, as a template for one arm or several at once (arm_law.hpp). The torque
+// is the inverse dynamics of the joint acceleration J+ (xr'' - D (x' - xr') - J' q'). Joint motion that the
+// task leaves free is damped. While the controller tracks joint positions, the acceleration is qr'' - d S
+// instead. computed_torque_law.hpp explains the law and its symbols.
 
 #include "core/control/laws/model_arm_law.hpp"
 #include "core/control/task_resolution.hpp"
@@ -12,7 +14,7 @@ class ComputedTorqueArmLawT final : public ModelArmLawT<T> {
  public:
   using ModelArmLawT<T>::ModelArmLawT;
 
-  /// Uses the own gains computed_torque_d (6) and computed_torque_joint_d (1).
+  /// Uses the gains computed_torque_d (6) and computed_torque_joint_d (1).
   void start(int lane, const LawNumbers& numbers) override {
     ModelArmLawT<T>::start(lane, numbers);
     this->put_all(lane, numbers.own[0], D_);

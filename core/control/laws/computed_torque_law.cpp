@@ -18,10 +18,10 @@ ControllerKind computed_torque_controller() {
       {"task_space_gains_p", "task_space_gains_i", "interpolation_gain_scale"},
       {own_gain(GainShape::kTask, "computed_torque_d", "1/s",
                 "D on the velocity error, for each axis of the task", kStiffRate),
-       own_gain(
-           GainShape::kScalar, "computed_torque_joint_d", "1/s",
-           "damping of joint motion outside the task, and of all joint motion in states that follow joint references",
-           kStiffRate)},
+       own_gain(GainShape::kScalar, "computed_torque_joint_d", "1/s",
+                "damping of the joint motion that the task leaves free; in the states leaveSingularity and "
+                "followPlan, of all joint motion",
+                kStiffRate)},
       [](const LawSetup& setup) { return make_torque_law(ArmLawKind::kComputedTorque, setup); },
       {},
       false,

@@ -1,6 +1,7 @@
 #pragma once
-// The complete controller: the state machine, the references of the active state, and the torque law that the
-// gains name. Repulsion is added, and the sum saturates at the effort limits.
+// The complete controller of an arm. In every control period it decides its state, computes the references of
+// that state, and applies the torque law that is selected with the gains. It adds the repulsion of obstacles,
+// and limits the sum to the effort limits.
 
 #include <memory>
 
@@ -27,9 +28,9 @@ class Controller {
   /// Returns Kd (n) of the last period if its torque contained -Kd S, else null.
   const JointVector* Kd() const { return law_->contains_Kd() ? &logic_.Kd() : nullptr; }
 
-  // Results of the last period, for other code that needs the same arm.
+  // Results of the last period, for callers that need the same quantities of the arm.
   const MeasuredArm& arm() const { return arm_; }
-  /// Returns the motion of q', qr', qr'', from which Y follows; null if the law has none.
+  /// Returns the motion of q', qr', qr'', from which the regressor Y follows; null if the law has none.
   const SlotineLi* references_motion() const { return law_->references_motion(); }
 
  private:

@@ -60,7 +60,9 @@ void add(ControllerKind kind, Registry& registry) {
   Registered registered;
   for (const std::string& name : kind.uses) {
     const GainField* field = find_field(gain_fields(), name);
-    if (field == nullptr || !field->of_law) fail(fmt::format("'{}' in `uses` is not a gain of a law", name));
+    if (field == nullptr || !field->of_law)
+      fail(fmt::format("'{}' in `uses` is not a built-in gain of a control law; declare a new gain in `own`",
+                       name));
   }
   for (const GainField& field : gain_fields()) {
     const auto& uses = kind.uses;
@@ -71,7 +73,9 @@ void add(ControllerKind kind, Registry& registry) {
   for (std::size_t place = 0; place < kind.own.size(); ++place) {
     GainField field = kind.own[place];
     auto* own = std::get_if<OwnGain>(&field.member);
-    if (own == nullptr) fail(fmt::format("'{}' in `own` was not made by own_gain; use that", field.name));
+    if (own == nullptr)
+      fail(fmt::format("gain '{}' in `own` was not made by own_gain(); make it with that function",
+                       field.name));
     if (!is_word(field.name) || field.name == std::string("controller")) {
       fail(fmt::format(
           "a gain must not be called '{}'; give it a name of letters, digits and underscores other than "
@@ -89,8 +93,8 @@ void add(ControllerKind kind, Registry& registry) {
     }
     if (!(field.lower_factor > 0.0 && field.lower_factor < field.upper_factor)) {
       fail(fmt::format(
-          "'{}' is searched from {} to {} times its start; the first factor must be above zero, and the "
-          "second larger than the first",
+          "the search range of gain '{}' is {} to {} times its start value; the first factor must be above "
+          "zero, and the second larger than the first",
           field.name, field.lower_factor, field.upper_factor));
     }
     own->place = place;
@@ -128,7 +132,8 @@ std::size_t place_of(const Gains& gains, const std::string& name) {
   const GainField* field = find_field(fields_of(gains), name);
   const auto* own = field == nullptr ? nullptr : std::get_if<OwnGain>(&field->member);
   if (own == nullptr || own->place >= gains.own.size()) {
-    throw InputError(fmt::format("controller '{}' has no gain '{}' of its own", gains.controller, name));
+    throw InputError(fmt::format("controller '{}' does not declare a gain '{}' in `own`; check the name",
+                                 gains.controller, name));
   }
   return own->place;
 }

@@ -1,6 +1,7 @@
 #pragma once
-// The kinds of controllers, each with name, gains and law. Files, help, search spaces, journals and reports
-// are made from this one declaration. Other programs add kinds to the built-in ones with register_controller.
+// Declares the kinds of controllers, each with its name, its gains and its control law. Gains files, help
+// texts, search spaces, journals of searches and reports are derived from this one declaration. Programs that
+// use armtune add kinds to the built-in ones with register_controller.
 
 #include <functional>
 #include <memory>
@@ -17,28 +18,28 @@ namespace armtune::internal {
 struct ControllerKind {
   std::string name;     ///< in a gains file: "controller: NAME"
   std::string meaning;  ///< one line
-  /// Names of the gains in Gains that this law uses, of those that belong to laws (GainField::of_law).
+  /// Names of the members of Gains that this law uses, among those that belong to laws (GainField::of_law).
   std::vector<std::string> uses;
-  /// Own gains of this kind, made by own_gain.
+  /// The kind's own gains, which no other kind has. They are made by own_gain.
   std::vector<GainField> own;
   std::function<std::unique_ptr<TorqueLaw>(const LawSetup&)> make;
-  /// Sets start values of the own gains on an arm that has none, at q (n) on its task. Empty: they keep the
-  /// defaults of own_gain.
+  /// Sets start values of the own gains if there are none yet. q (n): joint positions of the arm on its task.
+  /// Empty: they keep the defaults of own_gain.
   std::function<void(const RobotModel&, const JointVector& q, Gains&)> start;
   /// True if the law adapts its model of the arm online.
   bool learns = false;
-  /// Kind of its law, if that is written for several arms side by side.
+  /// Template of its law, if the law can compute several arms at once.
   std::optional<ArmLawKind> lanes = {};
 };
 
 /// Makes a kind's own gain, which is never negative. otherwise: default of each of its values. A search
-/// varies it between lower_factor and upper_factor times its start, unless a study gives another range. The
-/// search for the gain margin multiplies it (tuner/robustness).
+/// varies it between lower_factor and upper_factor times its start, unless a study gives another range. To
+/// find the gain margin, it is multiplied by factors (tuner/robustness).
 GainField own_gain(GainShape shape, const char* name, const char* unit, const char* meaning, double otherwise,
                    double lower_factor = 0.2, double upper_factor = 5.0);
 /// Returns the same gain, but zero is refused.
 GainField positive(GainField gain);
-/// Returns the same gain, left unchanged by the search for the gain margin: a length, an angle, a scale.
+/// Returns the same gain, but it is not multiplied to find the gain margin: a length, an angle, a scale.
 GainField not_in_loop(GainField gain);
 /// Returns the same gain, also left unchanged by a tuning search, unless a study names it.
 GainField not_tuned(GainField gain);
@@ -54,8 +55,8 @@ const ControllerKind& controller_kind(const std::string& name);
 /// Returns all kinds in the order of their registration, the built-in ones first.
 std::vector<const ControllerKind*> controller_kinds();
 
-/// Returns every gain of a kind in the order of files: those of Gains, then its own. The result lives as long
-/// as the program.
+/// Returns every gain of a kind in the order of gains files: its members of Gains, then its own gains. The
+/// result lives as long as the program.
 const std::vector<GainField>& fields_of(const ControllerKind& kind);
 const std::vector<GainField>& fields_of(const Gains& gains);
 
@@ -70,8 +71,9 @@ JointVector& own(Gains& gains, const std::string& name);
 /// values without effect, and its own gains get the defaults of own_gain.
 void become(Gains& gains, const std::string& name, int n);
 
-/// Returns the gains converted for another kind: gains that both have are kept (a kind that does not learn
-/// gets at least some Ki), and the others start from the arm's inertia. q (n): on the task.
+/// Returns the gains converted for another kind. Gains that both kinds have are kept, but a kind that does
+/// not adapt its model gets at least some Ki. The others start from the arm's inertia. q (n): joint positions
+/// on the task.
 Gains controlled_by(const ControllerKind& kind, const Gains& gains, const RobotModel& robot,
                     const JointVector& q);
 

@@ -1,15 +1,16 @@
 #pragma once
-// Start gains computed from the inertia that each joint moves: the inertia times a bandwidth [1/s] that the
-// controllers of real arms reach.
+// Computes start gains for an arm that has none. A gain on joint motion is the inertia that the joint moves,
+// multiplied by a rate [1/s] that the controllers of real arms reach. Kp of the task is such a rate itself.
 
 #include "core/control/gains.hpp"
 #include "core/robot/robot_model.hpp"
 
 namespace armtune::internal {
 
-inline constexpr double kFirstRate = 25.0;      ///< [1/s], for S
-inline constexpr double kFirstTaskRate = 15.0;  ///< [1/s], for the task's errors
-/// Ki of a law that does not learn, as a share of Kp^2: a tenth of the share at which it would oscillate.
+inline constexpr double kFirstRate = 25.0;      ///< decay of S = q' - qr' [1/s]
+inline constexpr double kFirstTaskRate = 15.0;  ///< decay of the task's errors [1/s]
+/// Ki of a law that does not adapt its model, as a share of Kp^2. It is a tenth of the share at which the
+/// errors would start to oscillate.
 inline constexpr double kFirstIntegralShare = 0.025;
 
 /// Returns M(q) + D (n x n).

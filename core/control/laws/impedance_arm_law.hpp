@@ -1,6 +1,7 @@
 #pragma once
-// Cartesian impedance:  Y theta - J^T (K dx + D (x' - xd'))  along the desired motion, with dampers in the
-// joints.
+// Cartesian impedance, as a template for one arm or several at once (arm_law.hpp). The torque is
+//   Y theta - J^T (K dx + D (x' - xd'))
+// along the desired motion, with dampers in the joints. For the symbols see impedance_law.hpp.
 
 #include "core/control/laws/model_arm_law.hpp"
 
@@ -11,7 +12,7 @@ class ImpedanceArmLawT final : public ModelArmLawT<T> {
  public:
   explicit ImpedanceArmLawT(int n) : ModelArmLawT<T>(n) { B_.setZero(n); }
 
-  /// Uses the own gains impedance_k (6), impedance_d (6) and impedance_joint_d (n).
+  /// Uses the gains impedance_k (6), impedance_d (6) and impedance_joint_d (n).
   void start(int lane, const LawNumbers& numbers) override {
     ModelArmLawT<T>::start(lane, numbers);
     this->put_all(lane, numbers.own[0], K_);

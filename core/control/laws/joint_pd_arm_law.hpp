@@ -1,5 +1,6 @@
 #pragma once
-// Joint PD with gravity:  g(q) + P (q_ref - q) + D (qr' - q'), where q_ref is the integral of qr'.
+// Joint PD with gravity compensation, as a template for one arm or several at once (arm_law.hpp). The torque
+// is  g(q) + P (q_ref - q) + D (qr' - q'),  where q_ref is the integral of the reference velocity qr'.
 
 #include "core/control/laws/model_arm_law.hpp"
 
@@ -12,7 +13,7 @@ class JointPdArmLawT final : public ModelArmLawT<T> {
     for (JointVectorT<T>* x : {&P_, &D_, &q_reference_, &step_, &rest_}) x->setZero(n);
   }
 
-  /// Uses the own gains joint_pd_p (n) and joint_pd_d (n).
+  /// Uses the gains joint_pd_p (n) and joint_pd_d (n).
   void start(int lane, const LawNumbers& numbers) override {
     ModelArmLawT<T>::start(lane, numbers);
     this->put_all(lane, numbers.own[0], P_);

@@ -125,16 +125,17 @@ std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*
       own_gain(kJoints, names[1], units[1], "i on the integral of each joint's position error", 0.0),
       own_gain(kJoints, names[2], units[2], "d on the velocity error of each joint", d),
       not_tuned(own_gain(kJoints, names[3], units[3],
-                         "i_clamp: largest contribution of the integral; the default limits no joint",
+                         "i_clamp: largest contribution of the integral to the command; the default is too "
+                         "large to have an effect",
                          kNoClamp)),
       not_tuned(own_gain(kJoints, names[4], units[4],
-                         effort ? "ff_velocity_scale: torque per desired velocity"
+                         effort ? "ff_velocity_scale: feed-forward torque per desired joint velocity"
                                 : "ff_velocity_scale: share of the desired velocity that is added to the "
                                   "command",
                          effort ? 0.0 : 1.0)),
       not_tuned(own_gain(GainShape::kScalar, names[5], "",
-                         "1: the integral itself stops at i_clamp; 0: the integral keeps growing, and only "
-                         "its contribution is clamped",
+                         "anti-windup: with 1 the integral itself stops at i_clamp; with 0 it keeps growing, "
+                         "and only its contribution to the command is clamped",
                          1.0))};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The control laws of ROS's joint_trajectory_controller on an effort or a velocity interface.
+// The control laws of ROS's joint_trajectory_controller on an effort or a velocity interface. Gains for the
+// real controller are tuned with them.
 
 #include "core/control/laws/controller_kind.hpp"
 
@@ -9,11 +10,11 @@ namespace armtune::internal {
 inline constexpr const char* kJointTrajectoryController = "joint_trajectory_controller";
 inline constexpr const char* kJointTrajectoryVelocityController = "joint_trajectory_controller_velocity";
 
-/// Returns true for either of these names.
+/// True for either of these names.
 bool is_joint_trajectory_controller(const std::string& kind);
 
-/// Returns the name of such a kind's own gain. what: p, i, d, i_clamp or ff_velocity_scale, as in the
-/// controller's documentation, or "antiwindup". Examples: jtc_p, jtc_velocity_p.
+/// Returns armtune's name of one of the gains of such a kind. what: p, i, d, i_clamp or ff_velocity_scale, as
+/// in the controller's documentation, or "antiwindup". Examples: jtc_p, jtc_velocity_p.
 std::string jtc_name(const std::string& kind, const std::string& what);
 /// Returns the values of that gain. Throws InputError for gains of another kind.
 const JointVector& jtc_gain(const Gains& gains, const std::string& what);

@@ -1,5 +1,6 @@
 #pragma once
-// Makes every law that is written for several arms. Include it only where such a law is compiled for a T.
+// Defines make_arm_law (arm_law.hpp), which needs the code of every law that is a template. Include this file
+// only where the laws are compiled for a scalar type T.
 
 #include "core/control/laws/adaptive_arm_law.hpp"
 #include "core/control/laws/computed_torque_arm_law.hpp"

@@ -1,5 +1,6 @@
 #pragma once
-// The common part of laws that do not learn: theta keeps its start value.
+// The base class of laws (arm_law.hpp) that do not adapt their model of the arm online: its parameters theta
+// keep their start values.
 
 #include "core/control/laws/arm_law.hpp"
 

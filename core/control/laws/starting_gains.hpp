@@ -1,14 +1,14 @@
 #pragma once
-// Start gains for an arm that has none, from its inertia, its limits and its size, under the extended law.
-// They are where a tuning starts, not its result.
+// Computes start gains for an arm that has none, from its inertia, its limits and its size. They switch on
+// armtune's extensions of the published law. A tuning starts from them; they are not its result.
 
 #include "core/control/gains.hpp"
 #include "core/robot/robot_model.hpp"
 
 namespace armtune::internal {
 
-/// Returns the start gains. start, goal (n) [rad, m]: those of leaveSingularity; goal lies on the task.
-/// manipulability: the smallest one on the task.
+/// Returns the start gains. start, goal (n) [rad, m]: the joint positions between which the state
+/// leaveSingularity moves the arm; goal lies on the task. manipulability: the smallest one on the task.
 ///
 /// Kd of a joint is 25 /s times the inertia that it moves with the others free, 1 / (M^-1)_ii. M^-1 Kd then
 /// has no eigenvalue above 25 n /s, which is possible with control periods of a few milliseconds. Kp is below

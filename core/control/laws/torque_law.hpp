@@ -1,7 +1,7 @@
 #pragma once
 // A torque law: the part of a controller that turns the measured arm and the references into joint torques.
-// All controllers share the rest: states, references, gaze, returns, obstacles, the governor and the limits
-// (core/control/control_logic.hpp).
+// All controllers share the rest: the states, the references, pointing at a target (gaze), returns to the
+// path, obstacle avoidance, the velocity governor and the limits (core/control/control_logic.hpp).
 
 #include "core/control/control_output.hpp"
 #include "core/control/gains.hpp"
@@ -49,9 +49,10 @@ class TorqueLaw {
 
   /// Returns the parameters of the law's present model of the arm (13 n).
   virtual const ParameterVector& theta() const { return theta_; }
-  /// Returns true if every torque contains -Kd S.
+  /// True if every torque contains -Kd S.
   virtual bool contains_Kd() const { return false; }
-  /// Returns the motion of the last period's q', qr', qr'', from which Y follows; null if the law has none.
+  /// Returns the motion of the last period's q', qr', qr'', from which the regressor Y follows; null if the
+  /// law has none.
   virtual const SlotineLi* references_motion() const { return nullptr; }
 
  protected:

@@ -1,5 +1,6 @@
 #pragma once
-// The check of a controller's gains against their limits and the number of joints.
+// Checks the gains of a controller: every value must be within its limits, and vectors must fit the number of
+// joints.
 
 #include <string>
 #include <vector>

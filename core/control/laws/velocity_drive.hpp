@@ -1,13 +1,15 @@
 #pragma once
-// Joint drives with velocity commands, such as those of industrial arms under a velocity interface: a PI on
-// each joint's velocity error, within the joint's limits. Makers do not publish how real drives are tuned. If
-// the robot's file gives no values, the velocity loops are assumed to be as fast as kDriveRate.
+// A model of joint drives with velocity commands, such as those of industrial arms under a velocity
+// interface. Each drive is a PI controller on its joint's velocity error, within the joint's limits. Makers
+// do not publish how real drives are tuned. If the robot's file gives no values, the velocity loops are
+// assumed to be as fast as kDriveRate.
 
 #include "core/robot/robot_model.hpp"
 
 namespace armtune::internal {
 
-/// Rate of each joint's velocity loop [1/s] with the others free, in the middle of the joints' ranges.
+/// Rate at which each joint's velocity error decays [1/s], with the other joints free, in the middle of the
+/// joints' ranges.
 inline constexpr double kDriveRate = 60.0;
 /// Rate of the integral [1/s], relative to the gain: a quarter of kDriveRate.
 inline constexpr double kDriveIntegralRate = 15.0;

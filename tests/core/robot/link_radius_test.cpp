@@ -54,7 +54,7 @@ TEST(LinkRadius, OfAnArmWithoutItIsAskedForByName) {
   EXPECT_EQ(with_link_surfaces(arm).chain.link_radius, arm.link_radii);
   EXPECT_EQ(arm.chain.link_radius.size(), 0) << "of joints, as it was";
   arm.link_radii[4] = NAN;
-  EXPECT_THAT(refusal(), testing::AllOf(testing::HasSubstr("thickness of " + arm.joints[4].link + " is"),
+  EXPECT_THAT(refusal(), testing::AllOf(testing::HasSubstr("not known: " + arm.joints[4].link + "."),
                                         testing::Not(testing::HasSubstr(arm.joints[3].link))));
 }
 

@@ -303,7 +303,7 @@ TEST_F(UrdfSelection, AHeldJointKeepsToTheLimitsThatAreGiven) {
   EXPECT_THAT(refusal(text, options), AllOf(HasSubstr("'arm3_joint' at 2.5 rad"), HasSubstr("0 .. 1")));
   options.limits["arm3_joint"] = {{}, 3.0, {}, 5.0};
   EXPECT_THAT(refusal(text, options),
-              AllOf(HasSubstr("'arm3_joint' is held"), HasSubstr("velocity and effort")));
+              AllOf(HasSubstr("'arm3_joint' is fixed by 'hold'"), HasSubstr("velocity and effort")));
 }
 
 TEST_F(UrdfSelection, WhatIsProposedToBeHeldCanBeHeld) {
@@ -320,7 +320,7 @@ TEST_F(UrdfSelection, WhatIsProposedToBeHeldCanBeHeld) {
   // Nothing can hold a joint that floats.
   EXPECT_THAT(
       refusal(robot(arm + joint("finger_joint", "floating", "arm2", "finger")), with_tip("arm3")),
-      AllOf(HasSubstr("'finger_joint'"), HasSubstr("make it fixed"), testing::Not(HasSubstr("hold:"))));
+      AllOf(HasSubstr("'finger_joint'"), HasSubstr("a fixed joint"), testing::Not(HasSubstr("hold:"))));
 }
 
 TEST_F(UrdfSelection, ATipLinkThatATreeDoesNotHaveIsNamedFirst) {

@@ -65,7 +65,7 @@ function casesOf(data) {
       ...data,
       sets: ["whole", "ended"],
       tables: [table],
-      judged: { measure: "worst of 5 arms each", tables: [table] },
+      judged: { measure: "worst of 5 arms in each scenario", tables: [table] },
       robots: [arm, other],
       scenarios: [
         { ...scenario, name: "both", robot: 0, runs: [whole, ended] },
@@ -194,7 +194,7 @@ async function checkNumbers({ page, expect }) {
   const ways = await page.locator("#numbers .way").allTextContents();
   expect(ways.join() === "better,worse,better,worse", "better and worse are words");
   const [heading] = await page.locator("#numbers h3").allTextContents();
-  expect(heading.includes("worst of 5 arms each"), "what the study is judged by comes first and says so");
+  expect(heading.includes("worst of 5 arms in each scenario"), "what the study is judged by comes first and says so");
   const [name] = await page.locator("#numbers tbody th").allTextContents();
   expect(name.includes("a metric in words") && name.includes("some/metric"), "a metric has words and its name");
   const margins = await page.locator("#margins td b").allTextContents();

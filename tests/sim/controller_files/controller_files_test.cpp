@@ -227,12 +227,11 @@ std::string with_j1(const std::string& gains, const std::string& commands = "eff
 TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
   const std::vector<std::string> j1 = {"j1"};
   EXPECT_THAT(refused(with_j1("p: 1.0", "position"), j1),
-              AllOf(HasSubstr("f.yaml:3: c: it commands position"), HasSubstr("velocity commands")));
-  EXPECT_THAT(refused(with_j1("p: 1.0", "position, velocity"), j1),
-              HasSubstr("it commands position, velocity"));
+              AllOf(HasSubstr("f.yaml:3:"), HasSubstr("commands position"), HasSubstr("velocity commands")));
+  EXPECT_THAT(refused(with_j1("p: 1.0", "position, velocity"), j1), HasSubstr("commands position, velocity"));
   EXPECT_THAT(
       refused("c:\n  type: position_controllers/JointTrajectoryController\n  gains: {j1: {p: 1.0}}\n", j1),
-      HasSubstr("it commands position_controllers/"));
+      HasSubstr("commands position_controllers/"));
   EXPECT_THAT(
       refused("c:\n  ros__parameters:\n    open_loop_control: true\n    command_interfaces: [velocity]\n"
               "    gains: {j1: {p: 1.0}}\n",
@@ -288,7 +287,7 @@ TEST(ControllerFile, IsReadAsRosReadsIt) {
   EXPECT_THAT(refused(with_j1("p: 1.0, error_deadband: 0.1"), j1), HasSubstr("error_deadband of j1"));
   EXPECT_THAT(refused(with_j1("p: 1.0, angle_wraparound: true"), j1), HasSubstr("angle_wraparound of j1"));
   EXPECT_THAT(refused("c:\n  ros__parameters:\n    joints: [j1]\n    gains: {j1: {p: 2.0}}\n", j1),
-              HasSubstr("no list of command_interfaces"));
+              HasSubstr("command_interfaces is missing"));
 }
 
 TEST(ControllerFile, WithVelocityCommandsIsAKindOfItsOwn) {
@@ -332,7 +331,7 @@ TEST(ControllerFile, TheChangedFileReadsBackAsTheGains) {
               HasSubstr("ff_velocity_scale: 4.0"));
   EXPECT_THAT(test::refusal([&] { into(with_j1("p: 1.0, i: 0.0"), "jtc_i", 3.0); }), HasSubstr("no i_clamp"));
   EXPECT_THAT(test::refusal([&] { into(with_j1("p: 1.0"), "jtc_antiwindup", 0.0); }),
-              HasSubstr("jtc_antiwindup must become 0.0, but the file would give 1.0"));
+              AllOf(HasSubstr("jtc_antiwindup must become 0.0"), HasSubstr("would still give 1.0")));
   // A number, a joint or all gains that somebody else has by an alias.
   const std::string left =
       "left:\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: &g {j1: {p: 1.0}}\n";
@@ -383,7 +382,7 @@ TEST(ControllerFile, NumbersThatAnAnchorSharesCanOnlyChangeTogether) {
   own(gains, "jtc_i")[0] = 1.0;
   EXPECT_THAT(
       test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
-      AllOf(HasSubstr("jtc_i of j1 must become 1.0"), HasSubstr("would give 0.0; write a number for it")));
+      AllOf(HasSubstr("jtc_i of j1 must become 1.0"), HasSubstr("would still give 0.0; set this gain")));
 }
 
 TEST(ControllerFile, ANumberThatAnAliasHasElsewhereIsNotChanged) {

@@ -84,7 +84,7 @@ TEST(EndLimit, EndsTheRolloutInTheFirstPeriodThatReachesIt) {
   EXPECT_GT(first, 0.0);
   EXPECT_DOUBLE_EQ(ended.end_time, first);
   EXPECT_THAT(ended.reason, testing::MatchesRegex("joint_velocity/max_ratio reached [0-9.]+ at [0-9.]+ s in "
-                                                  "[a-zA-Z]+; a rollout is abandoned from [0-9.]+ on"));
+                                                  "the state [a-zA-Z]+; .* this metric reaches [0-9.]+"));
   // Up to there it is the rollout that has no limit.
   const RolloutResult cut = run(scenario, {}, [&](const Observation& o) { return o.time < first; });
   EXPECT_EQ(cut.status, RolloutStatus::kInterrupted);

@@ -125,7 +125,7 @@ TEST_P(Extremes, EndWithAStatusAndWithoutInfiniteFigures) {
       EXPECT_TRUE(std::isfinite(result.metrics[Metric::kPositionMax]));
       break;
     case RolloutStatus::kDiverged:
-      EXPECT_THAT(result.reason, testing::MatchesRegex("diverged at [0-9.]+ s in [a-zA-Z]+: .*"));
+      EXPECT_THAT(result.reason, testing::MatchesRegex("diverged at [0-9.]+ s in the state [a-zA-Z]+: .*"));
       EXPECT_LT(result.end_time, scenario.duration);
       break;
     default:

@@ -78,7 +78,7 @@ TEST_P(ReferenceExtremes, EndWithAStatusBeforeTheDeadline) {
   for (const Metric metric : all_metrics()) EXPECT_FALSE(std::isinf(result.metrics[metric])) << name(metric);
   switch (result.status) {
     case RolloutStatus::kDiverged:
-      EXPECT_THAT(result.reason, testing::MatchesRegex("diverged at [0-9.]+ s in [a-zA-Z]+: .*"));
+      EXPECT_THAT(result.reason, testing::MatchesRegex("diverged at [0-9.]+ s in the state [a-zA-Z]+: .*"));
       break;
     case RolloutStatus::kCompleted:
       EXPECT_EQ(result.reason, "");

@@ -197,7 +197,7 @@ TEST_F(GainsFile, AForcePointMayHaveAGainForEveryJoint) {
               gains.force_control_gains);
   }
   EXPECT_THAT(refused(scalar, key + "[" + list_from(0) + ", 1, 1, 1, 1, 1]"),
-              AllOf(HasSubstr("force_control_gains/1"), HasSubstr("every force point")));
+              AllOf(HasSubstr("force_control_gains/1"), HasSubstr("every joint")));
   EXPECT_THAT(refused(scalar, key + "[" + list_from(0) + ", " + list_from(0) + "]"),
               AllOf(HasSubstr("force_control_gains"), HasSubstr("2"), HasSubstr("6")));
   EXPECT_THAT(refused(scalar, key + "[1, 2]"), HasSubstr("2 entries"));

@@ -106,7 +106,7 @@ TEST_F(OrientationFile, WhatCannotBeIsRefusedWithLineAndAdvice) {
   EXPECT_THAT(refused(kCircle), AllOf(HasSubstr("targets")));
   EXPECT_THAT(refused(kCircle + "targets: []\n"), AllOf(HasSubstr("own.yaml:6"), HasSubstr("orientation")));
   EXPECT_THAT(refused(kCircle + "targets: [{name: a, hold: [0, 0, 0]}]\norientation: {rpy_deg: [0, 0, 0]}\n"),
-              AllOf(HasSubstr("own.yaml:7"), HasSubstr("set targets to []")));
+              AllOf(HasSubstr("own.yaml:7"), HasSubstr("set 'targets' to []")));
   EXPECT_THAT(refused(kCircle + "orientation: {}\n"), HasSubstr("give one of: rpy_deg"));
   EXPECT_THAT(refused(kCircle + "orientation: {rpy_deg: [0, 0, 0], quaternion: [1, 0, 0, 0]}\n"),
               HasSubstr("give one of"));
@@ -119,7 +119,7 @@ TEST_F(OrientationFile, WhatCannotBeIsRefusedWithLineAndAdvice) {
                       "orientation: {along_path: [0, 0, -1]}\n"),
               AllOf(HasSubstr("reverses at 1.57"), HasSubstr("waypoints")));
   EXPECT_THAT(refused(kCircle + "task_mask: position\norientation: {rpy_deg: [180, 0, 0]}\n"),
-              HasSubstr("task_mask of position"));
+              HasSubstr("'task_mask: position'"));
   EXPECT_THAT(refused(kCircle + "task_mask: position_and_axis\norientation: {along_path: [0, 0, -1]}\n"),
               AllOf(HasSubstr("own.yaml:7"), HasSubstr("leaves free")));
   EXPECT_THAT(

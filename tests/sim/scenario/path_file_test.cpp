@@ -129,7 +129,7 @@ TEST(PathFile, MistakesAreNamedWithLineAndKey) {
   EXPECT_THAT(said("center: [0, 0, 0]\nfrequency: 1.0e308\nterms: [{order: 1000, cos: [1, 0, 0]}]\n"),
               AllOf(HasSubstr("path.yaml:2"), HasSubstr("frequency"), HasSubstr("fastest harmonic")));
   EXPECT_THAT(said("center: [0, 0, 0]\nfrequency: 1\nphase: 1.0e9\n"),
-              AllOf(HasSubstr("phase"), HasSubstr("begins at 1000000000 rad")));
+              AllOf(HasSubstr("phase"), HasSubstr("phase of 1000000000 rad")));
   EXPECT_THAT(said("circel: {center: [0, 0, 0]}\n"), HasSubstr("center"));
 }
 

@@ -128,7 +128,7 @@ TEST(RobotFile, LinksAreAsThickAsTheirShapesOrAsItSays) {
   const std::string thin =
       folder.write("thin.yaml", robot_text("link_radius: [0.1, 0.2, -0.1, 0.1, 0.1, 0.1]\n"));
   EXPECT_THAT(test::refusal([&] { load_robot(thin); }),
-              AllOf(HasSubstr("thin.yaml:2"), HasSubstr("forearm_link: -0.1 m"), HasSubstr("0 .. 10")));
+              AllOf(HasSubstr("thin.yaml:2"), HasSubstr("forearm_link is -0.1 m"), HasSubstr("0 .. 10")));
 }
 
 TEST(RobotFile, ATurnedToolIsTurned) {

@@ -216,8 +216,8 @@ TEST_F(ScenarioFile, AScheduleNamesItsTargets) {
   };
   EXPECT_THAT(refused_schedule("[{at: 3, target: gren}]"),
               AllOf(HasSubstr("'gren' is not a target"), HasSubstr("green")));
-  EXPECT_THAT(refused_schedule("[{at: 0, target: green}]"), HasSubstr("begin above zero"));
-  EXPECT_THAT(refused_schedule("[{at: 3, target: green}, {at: 3, target: red}]"), HasSubstr("rise"));
+  EXPECT_THAT(refused_schedule("[{at: 0, target: green}]"), HasSubstr("above zero"));
+  EXPECT_THAT(refused_schedule("[{at: 3, target: green}, {at: 3, target: red}]"), HasSubstr("increase"));
   EXPECT_THAT(refused_schedule("[{at: 3, target: red}]"), HasSubstr("already at red"));
   EXPECT_TRUE(load("base: target_switch\nschedule: []\n").schedule.empty()) << "over a base's";
   EXPECT_THAT(refused_schedule("[{at: 3, target: green}]", "8"), HasSubstr("switch_every"));

@@ -174,7 +174,7 @@ TEST_F(StimulusFile, SinesThatCannotBeMeasuredAreRefused) {
   EXPECT_THAT(sines("base_period: 4.999"), HasSubstr("whole number of control periods"));
   EXPECT_THAT(sines("orders: []"), HasSubstr("at least one"));
   EXPECT_THAT(sines("orders: [0, 1]"), HasSubstr("at least 1"));
-  EXPECT_THAT(sines("orders: [1, 3, 3]"), AllOf(HasSubstr("orders/2"), HasSubstr("rise")));
+  EXPECT_THAT(sines("orders: [1, 3, 3]"), AllOf(HasSubstr("orders/2"), HasSubstr("increase")));
   EXPECT_THAT(sines("orders: [1, 1250]"), HasSubstr("half the control rate"));
   std::string many = "orders: [1";
   for (int k = 2; k <= 33; ++k) many += ", " + std::to_string(k);

@@ -82,13 +82,15 @@ TEST(Parse, ReportsSyntaxErrorsWithTheirLine) {
 
 TEST(Parse, NamesTheLineOfABracketThatIsNeverClosed) {
   EXPECT_EQ(parse_error("a: 1\nb: [1,\n  2\n"),
-            "in.yaml:4: not valid YAML: end of sequence flow not found; opened on line 2");
-  EXPECT_TRUE(parse_error("a: 1\nb: {c: 1,\n").ends_with("end of map flow not found; opened on line 2"));
+            "in.yaml:4: not valid YAML: end of sequence flow not found; its bracket was opened on line 2");
+  EXPECT_TRUE(parse_error("a: 1\nb: {c: 1,\n")
+                  .ends_with("end of map flow not found; its bracket was opened on line 2"));
 }
 
 TEST(Parse, DoesNotTakeABracketThatIsNeverClosedForAKey) {
   for (const char* text : {"a: [[1, 2], [3, 4]\n", "a: [{b: 1}, {b: 2}\n", "a: [{b: 1},\n[1]\n"}) {
-    EXPECT_TRUE(contains(parse_error(text), "end of sequence flow not found; opened on line 1"))
+    EXPECT_TRUE(
+        contains(parse_error(text), "end of sequence flow not found; its bracket was opened on line 1"))
         << parse_error(text);
   }
   EXPECT_TRUE(contains(parse_error(std::string(1000, '[')), "nested more than 64"));
@@ -108,7 +110,7 @@ TEST(Parse, RefusesAQuoteThatIsNeverClosed) {
 TEST(Parse, RefusesControlCharactersThatWouldHideTheRest) {
   EXPECT_EQ(parse_error("a: 1\n\x04"
                         "b: 2\n"),
-            "in.yaml:2: control character 0x04; expected text in UTF-8");
+            "in.yaml:2: this line contains the control character 0x04; remove it");
   EXPECT_TRUE(contains(parse_error(std::string("a: 1\0", 5)), "control character 0x00"));
 }
 

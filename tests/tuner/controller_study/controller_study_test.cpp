@@ -202,7 +202,7 @@ TEST(ControllerStudy, AFileThatCannotHoldOtherGainsIsRefusedBeforeASearch) {
   const auto second = shared.find("p: 2000.0");
   inputs.controllers = folder.write("shared.yaml", shared.replace(second, 9, "p: *stiff"));
   EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "new"); }),
-              AllOf(HasSubstr("shared.yaml:11"), HasSubstr("write both out")));
+              AllOf(HasSubstr("shared.yaml:11"), HasSubstr("through a YAML anchor")));
 }
 
 TEST(ControllerStudy, ConstrainsWhatTheArmCanTouch) {

@@ -81,7 +81,7 @@ TEST_F(Recall, AnotherPointThanRecordedIsRefused) {
   EXPECT_THAT(test::refusal([&] {
                 next(evaluator, "global", {{0.25, 0.75}});
               }),
-              HasSubstr("evaluation 0 has phase global, in the journal search"));
+              HasSubstr("evaluation 0 has phase global, but phase search in the journal"));
 }
 
 TEST_F(Recall, TheTimeIsUpWhereItWas) {

@@ -416,8 +416,7 @@ TEST_F(Identify, ALogThatIsTooShortOrTooCoarseIsRefused) {
   ExcitationLog cut = simulate_excitation(scenario, exciting_, {}, kNever);
   cut.samples.resize(700);
   const std::string path = folder_.write("log.csv", log_csv(arm_, cut));
-  EXPECT_THAT(test::refusal([&] { identified({path}); }),
-              testing::HasSubstr("shorter than the filters' window"));
+  EXPECT_THAT(test::refusal([&] { identified({path}); }), testing::HasSubstr("too few for the filters"));
   IdentifyOptions high;
   high.rows.cutoff = 100.0;
   EXPECT_THAT(test::refusal([&] { identified({path}, high); }), testing::HasSubstr("too few for a cutoff"));

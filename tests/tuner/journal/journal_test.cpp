@@ -254,7 +254,7 @@ TEST_F(JournalFile, ABitFlippedAnywhereIsFoundNeverTaken) {
 
 TEST(RunHeader, ALineWithoutEndIsNotReadIntoTheMemory) {
   EXPECT_THAT(test::refusal([] { read_run_header("/dev/zero"); }),
-              AllOf(HasSubstr("/dev/zero:1: a line of more than 64 MB"), HasSubstr("armtune journal")));
+              AllOf(HasSubstr("/dev/zero:1: this line has more than 64 MB"), HasSubstr("armtune journal")));
 }
 
 TEST_F(JournalFile, DamageInTheMiddleNamesTheRecord) {

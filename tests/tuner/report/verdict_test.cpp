@@ -123,7 +123,7 @@ TEST(Verdict, OfFilesThatCannotBeReadIsNotThatAllIsWell) {
 TEST(Verdict, OfAStudyOnManyArmsIsOfWhatItWasJudgedBy) {
   ReportData data = tuned_data();
   data.judged = {
-      "worst of 4 arms each",
+      "worst of 4 arms in each scenario",
       tables_of({errors_of({result_of("a", {{Metric::kOrientationMax, 0.8}})}),
                  errors_of({result_of(
                      "a", {{Metric::kOrientationMax, 0.4}, {Metric::kJointVelocityMaxRatio, 0.97}}, "")})})};
@@ -132,7 +132,7 @@ TEST(Verdict, OfAStudyOnManyArmsIsOfWhatItWasJudgedBy) {
   const Verdict verdict = verdict_of(data, facts);
   EXPECT_THAT(verdict.sentence, AllOf(HasSubstr("orientation error falls by 50 %"),
                                       HasSubstr("a joint comes closest to its velocity limit, 97 %")));
-  EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("worst of 4 arms each")));
+  EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("worst of 4 arms in each scenario")));
 }
 
 TEST(Verdict, OfARunWithoutItsLastFileSaysThatItIsNotFinished) {

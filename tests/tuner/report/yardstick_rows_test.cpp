@@ -70,8 +70,8 @@ TEST(YardstickSentence, IsOfTheWorstOfEachKindInOneSet) {
                                         "b,switch,24,,1,,s,not before the next switch,nothing,,solved\n"
                                         "b,lap,10,0.012,0.0004,30,rad,reached,nothing,,solved\n")});
   EXPECT_THAT(yardstick_sentence(rows, 1),
-              AllOf(HasSubstr("up to 1.22 times the best (1.48 s instead of 1.21 s, b at 16 s)"),
-                    HasSubstr("30 times the best (12 mrad instead of 0.4 mrad, b at 10 s)"),
+              AllOf(HasSubstr("up to 1.22 times the best (1.48 s instead of 1.21 s, in b at 16 s)"),
+                    HasSubstr("30 times the best (12 mrad instead of 0.4 mrad, in b at 10 s)"),
                     Not(HasSubstr("return"))));
   EXPECT_THAT(yardstick_sentence(rows, 0), HasSubstr("9 times"));
   EXPECT_EQ(yardstick_sentence(rows, 2), "");

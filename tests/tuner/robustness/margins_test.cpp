@@ -221,7 +221,7 @@ TEST_F(Margins, ANominalThatDoesNotStandIsTold) {
   }
   EXPECT_THAT(margins_csv(one_, none), HasSubstr("\ngain_factor,1,all,1,,1,moving_target: "));
   EXPECT_THAT(margins_table(one_, {{"strict", none}}),
-              AllOf(HasSubstr("none"), HasSubstr("strict: moving_target fails without any change")));
+              AllOf(HasSubstr("none"), HasSubstr("strict: the closed loop fails in moving_target")));
 }
 
 TEST_F(Margins, AStopLeavesWholeMarginsOnly) {
@@ -244,7 +244,7 @@ TEST_F(Margins, AreShownSideBySide) {
   const std::string table =
       margins_table(found().scenarios, {{"start", found().all}, {"tuned", found().all}});
   EXPECT_THAT(table, AllOf(HasSubstr("start"), HasSubstr("tuned"), HasSubstr("control_rate [Hz]"),
-                           HasSubstr(" ms)"), HasSubstr("tuned: gain_factor fails at ")));
+                           HasSubstr(" ms)"), HasSubstr("tuned: the closed loop fails at gain_factor ")));
   EXPECT_THAT(margins_by_scenario(found().scenarios, found().all), HasSubstr("\nrealistic_fixed_target "));
 }
 

@@ -217,8 +217,8 @@ TEST(Solver, AStartThatIsNoNumberOrOutsideItsBoundsIsRefusedByItsPlace) {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(refused(nan, 0.0, 1.0),
-              testing::HasSubstr("coordinate 2 of the start is nan; its bounds are 0 .. 1"));
-  EXPECT_THAT(refused(1.5, 0.0, 1.0), testing::HasSubstr("coordinate 2 of the start is 1.5"));
+              testing::HasSubstr("coordinate 2 of the start point is nan; its bounds are 0 .. 1"));
+  EXPECT_THAT(refused(1.5, 0.0, 1.0), testing::HasSubstr("coordinate 2 of the start point is 1.5"));
   EXPECT_THAT(refused(0.5, 1.0, 0.0), testing::HasSubstr("bounds are 1 .. 0"));
   EXPECT_THAT(refused(0.5, nan, 1.0), testing::HasSubstr("bounds are nan .. 1"));
 }

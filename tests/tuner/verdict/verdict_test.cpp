@@ -307,7 +307,7 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   gains.controller = "joint_trajectory_controller_velocity";
   add_controller_assumption({test::scenario_of("moving_target")}, gains, verdict);
   EXPECT_THAT(verdict.assumes,
-              ElementsAre(HasSubstr("velocity loops of 60 /s"), HasSubstr("an empty integral")));
+              ElementsAre(HasSubstr("velocity loops with a rate of 60 /s"), HasSubstr("an empty integral")));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Completion scripts for shells, made from the declared command line.
+// Generates completion scripts for shells from the commands and options that the program declares.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-// The declared command line as plain data: its commands, options and their meanings. The manual page and
-// shell completion are made from it, as --help is.
+// The program's commands and options, with their meanings, as plain data. They are read from the same
+// declarations that --help shows. The manual page and the shell completion are generated from them.
 
 #include <string>
 #include <vector>

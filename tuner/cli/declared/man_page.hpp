@@ -1,5 +1,5 @@
 #pragma once
-// The manual page, made from the declared command line.
+// Generates the manual page from the commands and options that the program declares.
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
-// The selection of options that --help shows for a command, and their headings. --help-all, the manual page
-// and the documentation show every option.
+// Selects the few options of a command that --help shows, and puts them under headings. --help-all, the
+// manual page and the documentation show every option.
 
 #include <memory>
 #include <string>
@@ -33,8 +33,8 @@ const std::vector<ShortHelp>& short_helps();
 /// short_helps(). It wraps long descriptions. Set it before adding commands, which inherit it.
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
-/// Puts the options of every command in short_helps() under their headings. Skips what armtune was built
-/// without.
+/// Puts the options of every command in short_helps() under their headings. Skips commands and options that
+/// this build of armtune does not have.
 void group_options(CLI::App& app);
 
 }  // namespace armtune::internal::cli

@@ -1,6 +1,6 @@
 #pragma once
-// A run that designs a trajectory which excites an arm's parameters, or reads one from a file, and simulates
-// logs of it.
+// Does the work of `armtune excite`: designs a trajectory from whose log an arm's parameters can be
+// identified, or reads one from a file. It then simulates logs of an arm that follows it.
 
 #include <memory>
 #include <optional>
@@ -31,7 +31,7 @@ struct ExciteOutcome {
   std::vector<std::string> files;          ///< names of the files in the folder
 };
 
-/// An observer that is called during such a run.
+/// An observer of this session, which reports its progress.
 class ExciteObserver : public SessionObserver {
  public:
   /// Called when the trajectory is written.

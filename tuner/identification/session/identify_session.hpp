@@ -1,6 +1,7 @@
 #pragma once
-// A run that identifies an arm from logs of its motion. It fits theta, looks for reasons to doubt that the
-// logs are of that arm and, if it has a folder, writes all files.
+// Does the work of `armtune identify`: estimates theta, an arm's inertial and friction parameters, from logs
+// of its motion. It checks for signs that the logs are of another arm. If a folder is given, it writes the
+// results there.
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-// Finds the limits that hold a planned motion back. For a motion that was not found, these are the limits
-// that are in its way.
+// Finds the active limits of a planned motion, which prevent a faster or more accurate one. If the planner
+// found no motion, these are the limits that prevent it.
 
 #include "tuner/planning/transcription/refining_solver.hpp"
 

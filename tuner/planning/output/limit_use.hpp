@@ -1,7 +1,7 @@
 #pragma once
-// Measures how far a plan uses each of its limits, at its knots and between them. The program keeps the
-// limits of torque, tool path, gaze and distances at the knots only. Their use between knots is measured
-// here.
+// Measures how much of each limit a planned motion uses, at its knots and between them. The planner enforces
+// the limits of torque, tool path, gaze and distances at the knots only. Therefore their use between knots
+// must be measured.
 
 #include <limits>
 

@@ -92,7 +92,8 @@ std::vector<PlanColumn> trajectory_columns(const PlanTask& task, const RobotMode
   columns.add_gaze();
   columns.add_joints(robot, false);
   if (task.kind == PlanKind::kFastest) {
-    columns.add("path/coordinate", "s", "path coordinate: time of the scenario's own motion to this point",
+    columns.add("path/coordinate", "s",
+                "path coordinate: time that the scenario's own motion takes to this point",
                 [](const PlanSample& at) { return at.s; });
   }
   return columns.take();

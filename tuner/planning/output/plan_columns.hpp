@@ -1,5 +1,6 @@
 #pragma once
-// The one declaration of the columns of a plan's CSV files: name, unit, meaning and value of each.
+// Declares the columns of a planned motion's CSV files, trajectory.csv and motion.csv: name, unit, meaning
+// and value of each column.
 
 #include "sim/rollout/columns.hpp"
 #include "tuner/planning/output/plan_sample.hpp"

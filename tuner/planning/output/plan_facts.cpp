@@ -63,8 +63,8 @@ std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& pro
   const double smoothness = planned.objective() - duration;
   if (!task.duration && smoothness > kTellingSmoothness * duration)
     notes.push_back(
-        fmt::format("the smoothness cost weighs as much as {:.2g} s of duration; a `smoothness` below {:.2g} "
-                    "may give a shorter motion",
+        fmt::format("the smoothness term adds as much to the objective as {:.2g} s of duration; a "
+                    "`smoothness` below {:.2g} may give a shorter motion",
                     smoothness, task.smoothness));
   if (planned.weight != 1.0)
     notes.push_back(fmt::format(

@@ -9,8 +9,8 @@ namespace armtune::internal {
 /// over 10 s within the limits: tool at most 0.0021 mm off its path, ...".
 std::string plan_headline(const PlanTask& task, const PlanProblem& problem, const PlannedTrajectory& planned);
 
-/// Returns what a reader of the headline should know besides: how much smoothness costs, an objective of
-/// reduced weight, a plan that ends after the next target switch. One sentence each.
+/// Returns remarks on the headline, one sentence each: how much smoothness costs, an objective of reduced
+/// weight, a plan that ends after the next target switch.
 std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& problem,
                                     const PlannedTrajectory& planned);
 

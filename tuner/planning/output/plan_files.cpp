@@ -86,7 +86,10 @@ std::vector<Column> limits_columns() {
            "not constrained; empty if the limit applies at a single knot",
            {}},
           {"active", "1", "share of the knots at which the limit is active", {}},
-          {"strength", "", "sum of the limit's multipliers: seconds or cost per unit of relaxation", {}},
+          {"strength",
+           "",
+           "sum of the limit's Lagrange multipliers: seconds or cost saved per unit of relaxation",
+           {}},
           {"active_lower", "s", "time intervals FROM:TO at the lower limit", {}},
           {"active_upper", "s", "time intervals FROM:TO at the upper limit", {}}};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The CSV files of a planned motion, as texts.
+// Makes the texts of a planned motion's CSV files: trajectory.csv, motion.csv and limits.csv.
 
 #include <string>
 #include <vector>

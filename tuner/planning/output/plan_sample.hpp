@@ -1,5 +1,6 @@
 #pragma once
-// The arm at one time of a plan: at a knot, or between two knots, where the motion is an exact cubic.
+// Evaluates a planned motion at one time: the arm's joints and torques, its tool, its gaze and its distances
+// from obstacles. The time is that of a knot or lies between two knots, where the motion is an exact cubic.
 
 #include <optional>
 

@@ -36,7 +36,7 @@ std::string end_velocity(const RobotModel& robot, const Trajectory& trajectory) 
   const bool turns = robot.chain.motion[joint] == JointMotion::kRevolute;
   return fmt::format(
       "The trajectory does not end at rest: {} still moves at {:.4g} {} there. Another motion must follow "
-      "without a pause; controllers that only follow trajectories reject such an end, or stop abruptly.",
+      "without a pause. A controller that only follows trajectories rejects this one, or stops abruptly.",
       robot.joints[joint].name, trajectory.velocity(fastest, last), turns ? "rad/s" : "m/s");
 }
 

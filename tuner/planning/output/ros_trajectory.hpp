@@ -1,5 +1,5 @@
 #pragma once
-// A planned motion as a trajectory message for ROS controllers.
+// Converts a planned motion into a trajectory message for ROS controllers.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-// A scenario in which the controller follows a plan, as input for `armtune simulate`.
+// Makes a scenario file in which the controller follows a planned trajectory. `armtune simulate` can then
+// simulate the plan in closed loop.
 
 #include <string>
 
@@ -7,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// Returns the name of the file in the plan's folder. The scenario has the same name in errors.csv and
-/// reports.
+/// Returns the name of the scenario file in the plan's folder. Without .yaml, it is the
+/// scenario's name in errors.csv and reports.
 std::string planned_scenario_name(const PlanTask& task);
 
 /// Returns the text of the scenario. It is based on the task's own scenario, and the controller follows

@@ -33,7 +33,8 @@ report::Scene scene_of_plan(const PlanTask& task) {
 std::string known_of_contact(const PlanTask& task) {
   std::vector<std::string> kept;
   const auto& clearance = task.scenario.clearance;
-  if (task.clearance > 0.0 && !task.scenario.obstacles.empty()) kept.emplace_back("the obstacles");
+  if (task.clearance > 0.0 && !task.scenario.obstacles.empty())
+    kept.emplace_back("the obstacles (tool and joint origins)");
   if (task.clearance > 0.0 && clearance) {
     if (clearance->has(Clearance::kCell)) kept.emplace_back("the parts of the cell");
     if (clearance->has(Clearance::kFloor)) kept.emplace_back("the floor");
@@ -42,7 +43,7 @@ std::string known_of_contact(const PlanTask& task) {
   if (kept.empty() && !self) return "The plan ignores the arm's surroundings and contact between its links.";
   std::string text;
   if (!kept.empty())
-    text = fmt::format("At its knots, the motion keeps {:g} m from {} of {}. ", task.clearance,
+    text = fmt::format("At its knots, the motion keeps at least {:g} m from {} of {}. ", task.clearance,
                        fmt::join(kept, ", "), task.scenario.name);
   text += self ? "At its knots, links do not touch each other." : "It ignores contact between links.";
   if (clearance && !clearance->arm().unknown.empty())

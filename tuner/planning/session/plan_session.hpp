@@ -1,6 +1,7 @@
 #pragma once
-// A run that plans a trajectory. It solves the task, measures how far the solution uses its limits and, if it
-// has a folder, writes all files. Without a solution it writes nothing.
+// The work of the command `armtune plan`. It plans a trajectory for a task and measures how much of each
+// limit the trajectory uses. If an output folder is given, it writes all files. Without a solution it writes
+// nothing.
 
 #include <optional>
 #include <string>

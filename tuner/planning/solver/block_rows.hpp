@@ -1,6 +1,6 @@
 #pragma once
-// Many rows of a sparse Jacobian, stored as small dense blocks. A block holds the rows that one knot of a
-// trajectory, or one interval between two knots, adds to a program. The pattern is laid out once; only the
+// A sparse Jacobian, stored as small dense blocks of rows. A trajectory optimisation adds one block for each
+// knot, or for each interval between two knots. The sparsity pattern is set up once; afterwards only the
 // values change.
 
 #include <Eigen/Core>

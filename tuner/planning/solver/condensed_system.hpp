@@ -1,12 +1,18 @@
 #pragma once
-// The linear system of an interior point step, after the complementarity pairs have been eliminated:
+// Solves the linear system of an interior point step, after the complementarity conditions have been
+// eliminated:
 //
-//   [H + delta I   G^T  ] [x]   [rd]      H = R^T R + C + diag(damping),
-//   [G            -yield] [y] = [e ],     yield >= 0: how far a row gives way to its multiplier.
+//   [H + delta I   G^T  ] [x]   [rd]
+//   [G            -yield] [y] = [e ]
 //
-// Rows that do not give way at all get a dual proximal part, 1/D = yield + a small constant. The system then
-// condenses to the positive definite K = H + delta I + G^T D G (Friedlander and Orban, Math. Prog. Comp. 4,
-// 2012). Conjugate gradients afterwards remove the error that the dual proximal part makes in the rows.
+//   H = R^T R + C + diag(damping): the Hessian of the step, where R^T R is its Gauss-Newton part and C its
+//       curvature (normal_matrix.hpp)
+//   yield >= 0 (one per row): the amount by which a row gives way per unit of its multiplier
+//   rd, e: the residuals of the step
+//
+// Some rows have yield 0. Therefore a small constant, the dual proximal part, is added: 1/D = yield +
+// constant. The system then condenses to the positive definite K = H + delta I + G^T D G (Friedlander and
+// Orban, Math. Prog. Comp. 4, 2012). Conjugate gradients afterwards remove the error of the constant.
 
 #include "tuner/planning/solver/normal_matrix.hpp"
 #include "tuner/planning/solver/quadratic_program.hpp"
@@ -18,17 +24,17 @@ struct LinearUnknowns {
   Eigen::VectorXd y;  ///< (rows)
 };
 
-/// The residuals that a solution may leave.
+/// The largest residuals that are allowed in a solution.
 struct LinearAccuracy {
-  double sum = 0.0;   ///< sum of |entries| in the first rows
-  double rows = 0.0;  ///< largest |entry| in the second rows
+  double sum = 0.0;   ///< sum of |entries| in the first block row
+  double rows = 0.0;  ///< largest |entry| in the second block row
 };
 
 /// A system that is factorised once per step, then solved for any number of right-hand sides.
 class CondensedSystem {
  public:
-  /// All three arguments must outlive the system. normal: laid out for the program's R and G, in this order;
-  /// cholesky: analysed for it.
+  /// All three arguments must outlive the system. normal: has the pattern of the program's R and G, in this
+  /// order; cholesky: has analysed the pattern of `normal`.
   CondensedSystem(const QuadraticProgram& program, NormalMatrix& normal, SparseCholesky& cholesky);
 
   /// Factorises the system. False if K is not positive definite even with the largest delta. yield (rows,
@@ -47,9 +53,9 @@ class CondensedSystem {
   void hessian_times(const Eigen::VectorXd& v, Eigen::VectorXd& result);
 
  private:
-  /// Computes the residual that d leaves in the second rows.
+  /// Computes the residual of d in the second block row.
   void rows_left(const Eigen::VectorXd& e, const LinearUnknowns& d, Eigen::VectorXd& left);
-  /// Corrects d until the residual of the second rows (in r2_) is at most `within`. Solving again for the
+  /// Corrects d until the second block row's residual (in r2_) is at most `within`. Solving again for the
   /// residual brings y nearer by (S + 1/D - yield)^-1 S, where S = yield + G (H + delta)^-1 G^T. This matrix
   /// is 1 except in the few directions in which active limits pin all motion. Conjugate gradients on it
   /// therefore need few steps, where repeated solving alone may need hundreds.

@@ -1,6 +1,7 @@
 #pragma once
-// A sparse symmetric matrix as a sum of small dense symmetric blocks. A block is the curvature that one knot
-// of a trajectory, or one interval between two knots, adds to a Lagrangian.
+// A sparse symmetric matrix, stored as a sum of small dense symmetric blocks. It holds the second derivatives
+// of the costs and constraints of a trajectory. Each block belongs to one knot, or to one interval between
+// two knots.
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -1,8 +1,9 @@
 #pragma once
-// A primal-dual interior point method for the subproblems of a trajectory. It uses Mehrotra's predictor and
-// corrector (SIAM J. Optim. 2, 1992) on the l1-elastic program. Hard equations are treated by the proximal
-// method of multipliers (Friedlander and Orban, Math. Prog. Comp. 4, 2012). Each step thereby condenses to
-// one positive definite system K dx = r, K = H + G^T D G.
+// A primal-dual interior point method for quadratic programs. It solves the subproblems of a trajectory
+// optimisation. It uses Mehrotra's predictor and corrector (SIAM J. Optim. 2, 1992). Elastic rows may be
+// violated at an l1 penalty. Hard equations are treated by the proximal method of multipliers (Friedlander
+// and Orban, Math. Prog. Comp. 4, 2012). Each step thereby condenses to one positive definite system
+// K dx = r, K = H + G^T D G.
 
 #include <functional>
 #include <memory>
@@ -17,8 +18,8 @@ struct InteriorPointOptions {
   int max_iterations = 80;
   double stationarity = 1e-9;     ///< tolerance of the sum of |entries| of the Lagrangian's gradient
   double infeasibility = 1e-9;    ///< tolerance of the largest residual of a row
-  double complementarity = 1e-7;  ///< tolerance of the sum of the products of the pairs
-  double start_mu = 1.0;          ///< product of a pair to start from; small after a warm start
+  double complementarity = 1e-7;  ///< tolerance of the sum of slack x multiplier over all bounds
+  double start_mu = 1.0;          ///< initial slack x multiplier of a bound; small after a warm start
   std::function<bool()> go_on;    ///< called before each iteration; false interrupts
 };
 
@@ -28,11 +29,11 @@ struct InteriorPointResult {
   int iterations = 0;
   double stationarity = 0.0;     ///< sum of |H x + g + G^T y|
   double infeasibility = 0.0;    ///< largest residual of a row, elastic violation allowed for
-  double complementarity = 0.0;  ///< sum of the products of the pairs
+  double complementarity = 0.0;  ///< sum of slack x multiplier over all bounds
 };
 
-/// A solver for programs of one pattern. It keeps the pattern, its analysis and the memory from one program
-/// to the next.
+/// A solver for quadratic programs with the same sparsity pattern. It reuses the analysis of the pattern and
+/// the memory from one program to the next.
 class InteriorPoint {
  public:
   /// Residuals, curvature and rows must outlive the solver; their patterns must not change any more.

@@ -1,5 +1,6 @@
 #pragma once
-// The state of the interior point method for one program: the present point, its residuals, and one step.
+// The iteration of the interior point method on one quadratic program. It holds the current point and its
+// residuals, and computes the next step. InteriorPoint takes such steps until they converge.
 
 #include <cmath>
 #include <vector>
@@ -12,7 +13,7 @@ namespace armtune::internal {
 /// The unknowns, or a direction in their space. y multiplies G x - w - over + under = 0; w lies between the
 /// bounds.
 struct InteriorUnknowns : LinearUnknowns {
-  Eigen::VectorXd w;             ///< value of each row, strictly between its bounds; of an equation the bound
+  Eigen::VectorXd w;             ///< value of each row, strictly between its bounds; the bound if an equation
   Eigen::VectorXd upper, lower;  ///< multipliers of w's bounds, 0 where there is no bound
   Eigen::VectorXd over, under;   ///< elastic violations; their multipliers are penalty - y and penalty + y
 
@@ -31,12 +32,13 @@ struct InteriorUnknowns : LinearUnknowns {
   }
 };
 
-/// The right-hand sides of the complementarity conditions: wanted value of each product minus present value.
+/// The right-hand sides of the complementarity conditions: for each pair of slack and multiplier, the wanted
+/// product minus the present product.
 struct InteriorPairs {
   Eigen::VectorXd upper, lower, over, under;
 };
 
-/// One program that is being solved.
+/// The iteration on one program that is being solved.
 class InteriorPointIteration {
  public:
   InteriorPointIteration(const QuadraticProgram& program, NormalMatrix& normal, SparseCholesky& cholesky);

@@ -1,5 +1,5 @@
 #pragma once
-// The nonlinear program that a trajectory becomes on a time grid:
+// The interface of a nonlinear program. A trajectory optimisation on a time grid is such a program:
 // min  cost^T z + |r(z)|^2 / 2   s.t.  lower <= c(z) <= upper.
 
 #include <vector>

@@ -1,6 +1,7 @@
 #pragma once
-// The condensed matrix of an interior point step: K = diag + curvature + sum of J^T D J over block rows. Its
-// pattern is found once; each assembly then adds small dense products at known places.
+// The matrix of the linear system that each interior point step solves: K = diag + curvature + sum of J^T D J
+// over the Jacobians J. Its sparsity pattern is found once; each assembly then adds small dense products at
+// known places.
 
 #include "tuner/planning/solver/block_rows.hpp"
 #include "tuner/planning/solver/curvature_blocks.hpp"

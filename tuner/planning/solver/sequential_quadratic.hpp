@@ -1,8 +1,9 @@
 #pragma once
-// Sequential quadratic programming. The Hessian is the sum of the Gauss-Newton product and the curvature of
-// residuals and rows. Levenberg-Marquardt damping takes the place of a trust region. A filter accepts or
-// rejects steps (Fletcher and Leyffer, Math. Prog. 91, 2002). Where even the subproblem must violate rows,
-// the l1 merit function decides instead (Nocedal and Wright, Numerical Optimization, 18.5).
+// Solves the nonlinear program of a trajectory by sequential quadratic programming. The Hessian is the sum of
+// the Gauss-Newton product and the second derivatives of residuals and constraint rows. Levenberg-Marquardt
+// damping takes the place of a trust region. A filter accepts or rejects steps (Fletcher and Leyffer, Math.
+// Prog. 91, 2002). If even the subproblem must violate constraints, the l1 merit function decides instead
+// (Nocedal and Wright, Numerical Optimization, 18.5).
 
 #include <functional>
 
@@ -15,7 +16,7 @@ struct SequentialQuadraticOptions {
   int max_iterations = 200;
   double stationarity = 1e-6;     ///< sum of |entries| of the Lagrangian's gradient, in scaled unknowns
   double violation = 1e-8;        ///< largest violation of a row
-  double complementarity = 1e-6;  ///< sum of |multiplier| x distance from its bound: bounds what is lost
+  double complementarity = 1e-6;  ///< sum of |multiplier| x distance from its bound (optimality gap)
   double damping = 1e-3;          ///< initial damping
 };
 
@@ -40,10 +41,11 @@ struct SequentialQuadraticResult {
   Eigen::VectorXd multipliers;  ///< one per row; > 0 pulls at the upper bound
 };
 
-/// Called before every iteration of the subproblems; false interrupts.
+/// A function that is called before every iteration of the subproblems. It returns false to interrupt the
+/// solver.
 using PlanObserver = std::function<bool(const SequentialQuadraticProgress&)>;
 
-/// Solves the program, starting from z. multipliers: where to start from, or empty.
+/// Solves the program, starting from z. multipliers: initial multipliers of the rows, or empty.
 SequentialQuadraticResult solve(NonlinearProgram& program, Eigen::VectorXd z, Eigen::VectorXd multipliers,
                                 const SequentialQuadraticOptions& options, const PlanObserver& observer);
 

@@ -1,7 +1,8 @@
 #pragma once
-// Decides which steps of a sequential quadratic program count as progress. A filter looks at objective and
-// violation (Fletcher and Leyffer, Math. Prog. 91, 2002). Where even the subproblem must violate rows, the l1
-// merit function decides instead (Nocedal and Wright, Numerical Optimization, 18.5).
+// Accepts or rejects the steps of sequential quadratic programming. A filter compares objective and
+// constraint violation with those of earlier points (Fletcher and Leyffer, Math. Prog. 91, 2002). If even the
+// subproblem must violate constraints, the l1 merit function decides instead (Nocedal and Wright, Numerical
+// Optimization, 18.5).
 
 #include <vector>
 
@@ -17,12 +18,13 @@ struct Judged {
 class StepFilter {
  public:
   void clear() { remembered_.clear(); }
-  /// Allows steps to end with a largest violation of this, or of what was allowed before if that is more.
+  /// Raises the largest violation that a step may end with to `largest`. Never lowers it.
   void allow(double largest);
-  /// True if the step is accepted; it is `part` of the step that the model describes. The new point must be
-  /// better in objective or in violation than every remembered point. If the model promises a better
-  /// objective and the violation is small, the objective must fall by a part of that promise. price: of a
-  /// mean violation, in units of the objective.
+  /// True if the step from `before` to `after` is accepted. The new point must be better in objective or in
+  /// violation than every remembered point. If the model predicts a better objective and the violation is
+  /// small, the objective must fall by a part of that prediction. model: predicted values after the full
+  /// step; part: share of the full step that was taken; price: cost of a mean violation, in units of the
+  /// objective.
   bool accepts(const Judged& before, const Judged& model, const Judged& after, double part, double price);
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
-// The price of violated rows: a factor on their penalties. It is raised until no row is violated any more, or
-// until it is clear that some row always will be.
+// The price of constraint violations: one common factor on the penalties of all rows that may be violated
+// (elastic rows). The solver raises it until no row is violated any more, or until the problem proves
+// infeasible.
 
 #include "tuner/planning/solver/quadratic_program.hpp"
 
@@ -12,7 +13,7 @@ double violation(const RowBounds& bounds, Eigen::Index row, double value);
 class ViolationPrice {
  public:
   /// The bounds must outlive the price. tolerance: largest violation that counts as none. y (rows):
-  /// multipliers to start from; the first price is high enough that no violation is worth them.
+  /// multipliers to start from. The first price makes every penalty at least twice the row's multiplier.
   ViolationPrice(const RowBounds& bounds, double tolerance, const Eigen::VectorXd& y);
 
   double value() const { return value_; }

@@ -22,8 +22,8 @@ std::size_t nearest_row(const std::vector<double>& time, const PlanTask& task) {
   }
   if (time.empty() || !(std::abs(time[row] - task.at) <= kApart))
     throw InputError(
-        fmt::format("{}: no row lies within {} s of {} s, where {} begins; give a rollout that "
-                    "covers this time, or change 'at'",
+        fmt::format("{}: no row lies within {} s of {} s, where the task {} begins; give a rollout that "
+                    "covers this time, or change 'at' in the task",
                     shown_path(task.start.rollout), kApart, task.at, task.name));
   return row;
 }

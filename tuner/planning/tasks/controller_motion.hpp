@@ -1,6 +1,6 @@
 #pragma once
-// Reads the motion of a controller from a rollout. A plan that is to improve on this motion takes its start
-// and its first guess from it.
+// Reads the motion of an arm under its controller from the CSV file of a simulation (rollout). A plan that is
+// to improve on this motion starts in the same state and uses the motion as first guess.
 
 #include <optional>
 
@@ -11,11 +11,11 @@ namespace armtune::internal {
 
 struct ControllerMotion {
   Trajectory motion;              ///< from the plan's start to the rollout's end, one knot per row
-  std::optional<double> reached;  ///< kSwitch, kReturn: time until the controller met the task's end [s]
+  std::optional<double> reached;  ///< kSwitch, kReturn: time until the controller met the task's goal [s]
 };
 
-/// Returns the motion from the rollout that the task starts from. Throws InputError if the rollout has no row
-/// within 0.05 s of the task's start, or a value after it that is not finite.
+/// Returns the motion in the task's rollout, from the task's start to the rollout's end. Throws InputError if
+/// the rollout has no row within 0.05 s of the task's start, or a value after it that is not finite.
 ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot);
 
 }  // namespace armtune::internal

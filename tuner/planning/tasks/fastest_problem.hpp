@@ -1,5 +1,6 @@
 #pragma once
-// The plan of the least time for one turn along the tool path's curve. The speed along the curve is free.
+// Sets up the optimisation problem of a `fastest` task: the tool goes once around a closed path in the least
+// time. The speed along the path is free.
 
 #include "tuner/planning/tasks/plan_common.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"

@@ -10,8 +10,8 @@ namespace armtune::internal {
 /// Throws it also if a joint cannot give the torque that the goal, or a start with an acceleration, needs.
 void check_given_states(const PlanCommon& common);
 
-/// Returns the distance [m] of the arm at q (n) [rad, m] from the nearest obstacle at a time [s]. All points
-/// that a plan keeps clear count. The distance is infinite without obstacles.
+/// Returns the distance [m] of the arm at q (n) [rad, m] from the nearest obstacle's surface at a time [s].
+/// It is measured at the tool and at every joint origin that can move. It is infinite without obstacles.
 double clearance_at(const RobotModel& robot, const JointVector& q, double time,
                     const std::vector<MovingObstacle>& obstacles);
 

@@ -1,5 +1,6 @@
 #pragma once
-// The parts that all kinds of plan share: the arm, its start, its limits, its distance from obstacles.
+// The inputs that all kinds of planning tasks share: the arm, its start state, its limits and its distance
+// from obstacles. The optimisation problem of each kind of task is built on them.
 
 #include <vector>
 
@@ -17,15 +18,16 @@ struct PlanCommon {
   int n() const { return robot->n(); }
   /// Returns the joints with their limits.
   std::vector<Coordinate> coordinates() const;
-  /// Returns a program with these limits and this start. The demands of the task are still to be added.
+  /// Returns an optimisation problem with these limits and this start state. The caller adds the goals of the
+  /// task.
   TrajectoryTask on(const TimeGrid& grid) const;
   /// Returns a phase of the task's duration or, without one, a free phase with a first guess [s].
   Phase phase(const char* name, int intervals, double guess) const;
   TimeGrid grid(std::vector<Phase> phases) const;
   /// Returns the task's duration, else the time that the controller took, else `otherwise` [s].
   double first_duration(double otherwise) const;
-  /// Returns the time [s] that the slowest joint takes for its way (n) [rad, m] at half its velocity limit;
-  /// at least 0.2 s.
+  /// Returns the time [s] that the slowest joint takes for its displacement at half its velocity limit; at
+  /// least 0.2 s. way: displacement of each joint (n) [rad, m].
   double likely_duration(const JointVector& way) const;
   /// Returns the time to stop from the start's velocity, plus the same time for the way back [s].
   double turning_time() const;

@@ -1,5 +1,5 @@
 #pragma once
-// A plan task as a program on a time grid, with the first guess to start from.
+// Turns a planning task into an optimisation problem on a time grid, with a first guess of the trajectory.
 
 #include <limits>
 

@@ -41,8 +41,8 @@ StartState given_start(const PlanTask& task, const RobotModel& robot, const Cont
                             BestPose::kLargestManipulability);
   if (!pose) {
     throw OutOfReach(
-        fmt::format("{}: {} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m with the tool's z axis on "
-                    "the target within its joint limits; move the path, or give a 'start'",
+        fmt::format("{}: within its joint limits, {} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m "
+                    "with the tool's z axis on the gaze target; move the path, or give a 'start'",
                     shown_path(task.source), robot.name, tool.x(), tool.y(), tool.z()));
   }
   TimeGrid lead_in;

@@ -1,5 +1,5 @@
 #pragma once
-// The state that a plan starts from.
+// Determines the state of the arm at the start of a plan: joint positions, velocities and accelerations.
 
 #include "armtune/error.hpp"
 #include "tuner/planning/tasks/controller_motion.hpp"
@@ -18,10 +18,12 @@ struct StartState {
   JointVector acceleration;        ///< empty: free
 };
 
-/// Returns the start state that the task gives. This is the first of these that there is: the controller's
-/// state (controller null: no rollout), a state in the task, for kMove the scenario's start, else a pose on
-/// the path. That pose has the path's velocity, or is at rest for kFastest. Throws InputError; OutOfReach if
-/// no pose is on the path.
+/// Returns the start state of the task. It is the first of these that is available:
+/// - the state in the rollout that `controller` was read from (null: no rollout);
+/// - the state that the task gives;
+/// - for kMove, the scenario's start;
+/// - a pose on the path, which has the path's velocity, or is at rest for kFastest.
+/// Throws InputError; OutOfReach if no pose is on the path.
 StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller);
 
 /// Returns the acceleration of an arm at rest: zero (n) if the task limits jerks, since accelerations then

@@ -214,8 +214,8 @@ PlanTask load_plan_task(const std::string& name_or_path) {
         "with targets");
   if (!tracks_orientation(task.scenario.mask) && task.kind != PlanKind::kMove)
     scenario.fail(
-        "the scenario controls the tool position only, but this task also needs the gaze; plan a move, or "
-        "give another scenario");
+        "the scenario controls the tool position only, but every task except 'move' also needs a gaze "
+        "target; give 'task: move', or another scenario");
   const auto joints = joint_names(*task.scenario.robot);
   task.at = map.number_in("at", 0.0, 0.0, 1e6);
   if (const yaml::Node* start = map.optional("start")) task.start = read_start(*start, joints);
@@ -237,11 +237,11 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   map.finish();
 
   if (task.kind == PlanKind::kMove && task.goal.size() == 0)
-    kind.fail("a move needs a goal: a joint position");
+    kind.fail("a move needs a goal; give 'goal', the joint position at its end");
   refuse_idle_keys(map, task);
   check_start_and_goal(map, task);
   if (task.kind == PlanKind::kReturn && task.start.position.size() == 0 && task.start.rollout.empty())
-    kind.fail("a return needs a start off the path: {position: [...]} or {rollout: FILE}");
+    kind.fail("a return needs a start state off the path; give start: {position: [...]} or {rollout: FILE}");
   if (task.kind == PlanKind::kTrack && !task.duration) kind.fail("a track needs a duration [s]");
   if (task.least_error && !task.duration) kind.fail("least_error needs a duration [s]");
   if (task.kind == PlanKind::kSwitch &&

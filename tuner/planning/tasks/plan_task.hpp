@@ -1,5 +1,6 @@
 #pragma once
-// A task for `armtune plan`, as its file gives it.
+// A task for `armtune plan`, read from a YAML file. It defines which motion is planned, in which scenario,
+// and under which limits.
 
 #include <map>
 #include <memory>
@@ -11,6 +12,8 @@
 
 namespace armtune::internal {
 
+/// The kinds of planning tasks. The gaze is the direction of the tool's z axis, which some tasks point at a
+/// target.
 enum class PlanKind {
   kMove,     ///< from one joint position to another
   kTrack,    ///< along the scenario's tool path with the gaze at its targets, with the least error

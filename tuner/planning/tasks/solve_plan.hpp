@@ -1,5 +1,6 @@
 #pragma once
-// Solves the problem of a plan task. A given duration is first compared with the least possible one.
+// Solves the optimisation problem of a planning task. If the task fixes the duration, the plan of the least
+// time may be solved first, to see whether that duration is long enough.
 
 #include "tuner/planning/tasks/plan_problem.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Joint motions that follow a tool path with the gaze at a target, by inverse kinematics. Plans take their
-// first guesses from them.
+// Computes joint poses and motions by inverse kinematics. In them the tool follows a path while its z axis
+// (the gaze) points at a target. Plans use them as first guesses.
 
 #include <functional>
 #include <optional>
@@ -20,9 +20,9 @@ enum class BestPose {
   kSoonest,  ///< reached first from `first` at the velocity limits
 };
 
-/// Returns a joint position (n) within the limits that has the tool at `tool` and, if a target is given, its
-/// z axis at `target`. The search starts from `first` and from random positions, and the best pose found is
-/// returned. No value if no start leads to a pose.
+/// Returns a joint position (n) within the limits that puts the tool at `tool` and, if a target is given,
+/// points the tool's z axis at `target`. The search starts from `first` and from random positions, and the
+/// best pose found is returned. No value if no start leads to a pose.
 std::optional<JointVector> pose_at(const RobotModel& robot, const Vec3& tool,
                                    const std::optional<Vec3>& target, const JointVector& first,
                                    BestPose best);

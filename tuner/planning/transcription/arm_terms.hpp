@@ -1,7 +1,7 @@
 #pragma once
-// The terms that a task adds at the knots of a motion: torque limits, tool on a path, gaze at a target,
-// distance from obstacles. Lengths are divided by a tolerance or a radius, and torques by their limit, so
-// that violations are relative.
+// The constraints and costs of a planning task that concern the arm: torque limits, tool on a path, gaze at a
+// target, distance from obstacles. They apply at the knots of the trajectory. Lengths are divided by a
+// tolerance or a radius, and torques by their limit, so that violations are relative.
 
 #include "core/control/obstacle.hpp"
 #include "core/robot/robot_model.hpp"

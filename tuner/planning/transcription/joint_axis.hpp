@@ -1,5 +1,6 @@
 #pragma once
-// The motion of a point of the arm with one joint, and the place where a term stores it.
+// Computes how a point of the arm moves when one joint moves. The constraints and costs of a plan store it in
+// their Jacobians.
 
 #include "core/robot/kinematics.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
-// A term of a task at its knots: rows that depend on the joints' motion at one knot and on the time.
+// A term of a trajectory optimisation: a cost, or constraints, at some knots of the time grid. Its rows
+// depend on the joints' motion at one knot and on the time.
 
 #include <functional>
 #include <limits>
@@ -30,8 +31,8 @@ struct KnotRows {
   int columns = 0;            ///< number of columns of by_q, by_qd, by_qdd each
 };
 
-/// A cost or limits at the knots first_knot to last_knot. The value of a cost is a residual: its square
-/// counts.
+/// A cost, or limits, at the knots first_knot to last_knot. The value of a cost is a residual, whose square
+/// is minimised.
 struct KnotTerm {
   std::string name;
   std::vector<std::string> rows;  ///< name of each row: the joint, the axis

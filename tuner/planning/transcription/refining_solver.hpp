@@ -1,6 +1,6 @@
 #pragma once
-// Solves for a trajectory on a fine grid by way of coarser ones. Steps on a coarse grid are cheap while the
-// solution is still far away, and the fine grid then starts close to its solution.
+// Solves a trajectory optimisation on coarse time grids first, and then on the fine one. Steps on a coarse
+// grid are cheap while the solution is still far away. The fine grid then starts close to its solution.
 
 #include <memory>
 

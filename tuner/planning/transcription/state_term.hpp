@@ -1,5 +1,5 @@
 #pragma once
-// Terms that fix the motion at one knot.
+// Constraints that fix the motion at one knot of a trajectory, such as its start state or its goal.
 
 #include "tuner/planning/transcription/knot_term.hpp"
 #include "tuner/record/words.hpp"
@@ -12,7 +12,7 @@ struct GivenState {
   Eigen::VectorXd position, velocity, acceleration;
 };
 
-/// Returns equations by which the coordinates `names` move as given at the knot. units: of their positions.
+/// Returns equations that give the coordinates `names` this state at the knot. units: of their positions.
 inline KnotTerm given_state(const std::string& name, const std::vector<std::string>& names,
                             const std::vector<std::string>& units, int knot, const GivenState& given) {
   KnotTerm term;

@@ -1,5 +1,6 @@
 #pragma once
-// Helpers that all terms of arm_terms.hpp share. They set up a term's knots, rows and units.
+// Helper functions for the constraints and costs (terms) of arm_terms.hpp. They set up a term's knots, rows
+// and units.
 
 #include "tuner/planning/transcription/arm_terms.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A motion on a time grid: cubic between knots, with piecewise constant jerk.
+// A planned motion on a time grid. It is cubic between two knots, so the jerk is piecewise constant.
 
 #include <Eigen/Core>
 #include <vector>
@@ -25,8 +25,8 @@ TrajectoryPoint point_at(const Trajectory& trajectory, double t);
 /// trajectory's durations in place of the grid's.
 Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid);
 
-/// Returns the same way through the same knots in the durations of the grid, which has as many knots. The
-/// motion is faster or slower throughout, except that the state at the start is unchanged.
+/// Returns the motion through the same positions with the durations of the grid, which has as many knots. All
+/// velocities and accelerations are scaled accordingly, except those at the start.
 Trajectory in_durations_of(const TimeGrid& grid, Trajectory trajectory);
 
 /// Replaces velocities and accelerations by those of the cubic spline through the positions. It starts

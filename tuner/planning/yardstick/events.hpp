@@ -1,5 +1,6 @@
 #pragma once
-// Finds the events of a rollout that a plan can be compared with: target switches, returns, laps.
+// Finds the parts of a rollout (events) that can be compared with an optimal plan. In an event the gaze
+// switches to another target, the tool returns to its path, or the tool completes one lap of the path.
 
 #include <string>
 #include <vector>
@@ -10,10 +11,11 @@
 
 namespace armtune::internal {
 
+/// The kinds of events. The kind defines what Event::reached is.
 enum class EventKind {
-  kSwitch,  ///< reached: s from the switch until the gaze is under its threshold and stays there
-  kReturn,  ///< reached: s from leaving the last state until the path is followed again
-  kLap,     ///< reached: rms of the gaze angle over one turn of the path [rad]
+  kSwitch,  ///< time from the switch until the gaze angle stays under its threshold [s]
+  kReturn,  ///< time from the end of the previous state until the path is followed again [s]
+  kLap,     ///< rms of the gaze angle over one turn of the path [rad]
 };
 std::string name(EventKind kind);
 /// Returns the unit of `reached` for this kind.
@@ -27,7 +29,7 @@ enum class EventOutcome {
   kCutByEnd,      ///< the rollout ended first
   kCutByState,    ///< the controller entered another state first, to avoid an obstacle
 };
-/// Returns the outcome in a reader's words.
+/// Returns the outcome as text.
 std::string words(EventOutcome outcome);
 
 struct Event {
@@ -43,8 +45,8 @@ struct Event {
   double gaze = 0.0;     ///< angle to the active target at its beginning [rad]
   JointVector position;  ///< (n) at its beginning [rad, m]
   JointVector velocity;
-  /// Largest distance of the tool from the path along an axis during the event [m]. For a switch that was
-  /// reached, only the time of a plan for it counts: until it was reached, and kSwitchHold more.
+  /// Largest distance of the tool from the path along an axis during the event [m]. For a switch whose
+  /// target was reached, only the time until then and the following kSwitchHold count, as in its plan.
   double path_error = 0.0;
   /// Least distance of a joint or the tool from an obstacle's surface at the same times [m]; infinite without
   /// obstacles.
@@ -55,11 +57,11 @@ struct Event {
 /// Time that the gaze must stay on target for a planned switch to count [s].
 inline constexpr double kSwitchHold = 0.5;
 
-/// Returns the events in order of time. rollout: rollout_<scenario>.csv, in whose rows times are counted;
-/// gaze_threshold: angle below which a target is acquired [rad]. A switch that begins while the path is
-/// followed is judged until the path is left. A switch that begins in another state, such as a return or an
-/// evasion, is judged until the next switch. Switches before the path is first reached are left out, and so
-/// are incomplete turns. Throws InputError if a column is missing.
+/// Returns the events in order of time. rollout: table of rollout_<scenario>.csv; gaze_threshold: angle below
+/// which a target is acquired [rad]. A switch that begins while the path is followed is judged until the path
+/// is left or the next switch begins. A switch that begins in another state, such as a return or an evasion,
+/// is judged until the next switch. Left out are incomplete turns, and switches while the arm still
+/// moves out of its start pose (kLeaveSingularity). Throws InputError if a column is missing.
 std::vector<Event> events_of(const CsvTable& rollout, const Scenario& scenario, double gaze_threshold);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// Shows how good any controller could be. Each event of a rollout is compared with the best that the arm's
-// limits allow from the same state on.
+// The yardstick compares a controller with the best motion that the arm's limits allow. For each event of a
+// rollout, such as a lap of the path, it plans the best motion from the same state of the arm.
 
 #include "tuner/planning/tasks/plan_task.hpp"
 #include "tuner/planning/transcription/refining_solver.hpp"
@@ -12,18 +12,18 @@ struct YardstickOptions {
   double velocity = 1.0;  ///< shares of the arm's limits
   double effort = 1.0;
   double gaze_threshold = 0.15;  ///< [rad]
-  /// Path tolerance of a switch's plan [m]. It is wider if the rollout itself is farther from the path
-  /// meanwhile.
+  /// Path tolerance in the plan of a target switch [m]. It is wider if the rollout itself is farther from the
+  /// path during the event.
   double path_tolerance = 1e-3;
   /// Distance that tool and joint origins keep from every obstacle's surface [m], if the scenario has any; 0:
-  /// none. It is smaller if the rollout itself comes nearer meanwhile.
+  /// none. It is smaller if the rollout itself comes nearer during the event.
   double clearance = 0.0;
   /// Knots of each plan. A lap's plan has more if an interval would otherwise be longer than 25 ms, or 12.5
   /// ms if targets switch.
   int knots = 120;
 };
 
-/// The way in which the limit was found, or why there is none.
+/// The way in which the limit of an event (its least possible value) was found, or why there is none.
 enum class MeasureStatus {
   kSolved,
   kWithoutClearance,  ///< solved, but only with the obstacles left out
@@ -33,7 +33,7 @@ enum class MeasureStatus {
   kNotSolved,
   kInterrupted,
 };
-/// Returns the status in a reader's words.
+/// Returns the status as text.
 std::string words(MeasureStatus status);
 
 struct Measure {
@@ -51,17 +51,17 @@ struct Measure {
 /// options say or, if the rollout comes nearer during the event, as the rollout does.
 PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOptions& options);
 
-/// Returns the rms of the gaze angle of a motion (a column a knot) at the given times [rad]. A lap's rollout
-/// is judged by the same mean, whatever the knots are.
+/// Returns the rms of the gaze angle of a motion at the given times [rad]. For a lap these are the times of
+/// the rollout's rows, so that plan and rollout are compared by the same mean.
 double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Trajectory& trajectory,
                 const std::vector<double>& times);
 
-/// Plans the best for an event and returns it as a limit.
+/// Plans the best motion for an event, and returns its value as the limit of the event.
 Measure measure(const Event& event, const Scenario& scenario, const YardstickOptions& options,
                 const PlanObserver& observer);
 
-/// Returns the limit of the scenario's switch that took longest [s]; the metric reacquisition/time is that of
-/// this switch. NaN if the switch has no limit, or if there is no switch.
+/// Returns the limit of the scenario's slowest target switch [s]. The metric reacquisition/time is the
+/// time of this switch. NaN if the switch has no limit, or if there is no switch.
 double reacquisition_limit(const std::vector<Measure>& measures, const std::string& scenario);
 
 }  // namespace armtune::internal

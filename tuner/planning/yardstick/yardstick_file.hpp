@@ -1,5 +1,6 @@
 #pragma once
-// Writes yardstick.csv: one row per event, with the value that was reached beside its limit.
+// Writes yardstick.csv. It has one row per event of a rollout, with the value that the controller reached and
+// the best value that the arm's limits allow.
 
 #include "sim/rollout/columns.hpp"
 #include "tuner/planning/yardstick/yardstick.hpp"

@@ -96,7 +96,7 @@ TEST(ControllerKind, WhatCannotBeIsRefusedByName) {
   kind.own = {positive(own_gain(GainShape::kScalar, "zero", "1", "a", 0.0))};
   EXPECT_THAT(refusal_of(kind), HasSubstr("above zero"));
   kind.own = {own_gain(GainShape::kScalar, "narrow", "1", "a", 1.0, 2.0, 2.0)};
-  EXPECT_THAT(refusal_of(kind), HasSubstr("'narrow' is searched from 2 to 2"));
+  EXPECT_THAT(refusal_of(kind), HasSubstr("'narrow' is 2 to 2"));
   kind.own = {gain_fields().front()};
   EXPECT_THAT(refusal_of(kind), HasSubstr("own_gain"));
   try {
