@@ -26,7 +26,8 @@ struct Period {
   const LawState& now() const {
     if (state != nullptr) return *state;
     throw std::runtime_error(
-        "this control period is over; copy its values during the call of the control law");
+        "the values of this ControlPeriod are gone, because its control period is over; copy them during "
+        "the call of the control law");
   }
 };
 
@@ -46,7 +47,9 @@ auto told(const std::string& name, Function function) {
     return function();
   } catch (const py::cast_error&) {
     throw FailedError(
-        fmt::format("controller {}: its function must return a list of numbers, but it did not", name));
+        fmt::format("controller {}: the control law returned something else than a list of numbers; return "
+                    "one torque for each joint",
+                    name));
   }
 }
 
@@ -65,8 +68,10 @@ class PythonLaw final : public Law {
       return function_(period).cast<Vector>();
     });
     if (given.size() != tau.size())
-      throw FailedError(fmt::format("controller {}: {} torques were returned, but the arm has {} joints",
-                                    name_, given.size(), tau.size()));
+      throw FailedError(
+          fmt::format("controller {}: {} torques were returned, but the arm has {} joints; "
+                      "return one torque for each joint",
+                      name_, given.size(), tau.size()));
     tau = given;
   }
 
@@ -149,7 +154,7 @@ void bind_controllers(py::module_& module) {
   };
   py::class_<Period, std::shared_ptr<Period>>(
       module, "ControlPeriod", made_by_armtune(),
-      "The inputs of a control law in one control period. They are valid only during the call.")
+      "The inputs of a control law in one control period, valid only during the call of the control law.")
       .def_property_readonly("position", vector(&LawState::position),
                              "Measured joint positions q (n) [rad, m].")
       .def_property_readonly("velocity", vector(&LawState::velocity),
@@ -175,10 +180,10 @@ void bind_controllers(py::module_& module) {
       "Adds a kind of controller in this process. make(robot, gains, period) returns a function that takes "
       "a ControlPeriod and returns the torques (n) [N m, N]. own: the controller's own gains, each a dict "
       "with the keys shape (scalar, task or joints), name, unit, meaning and otherwise (default value). "
-      "Optional keys are positive (True: zero is refused), in_loop (True: the gain scales the gain of the "
-      "control loop), lower_factor and upper_factor (default bounds of the search, as factors on the start "
+      "Optional keys are positive (True: zero is refused), in_loop (True: the loop gain is proportional to "
+      "this gain), lower_factor and upper_factor (default bounds of the search, as factors on the start "
       "value). uses: names of armtune's gains that the controller uses. start(robot, q, gains) sets the "
-      "start values of the controller's own gains.");
+      "start values of the controller's own gains; q has the joint positions with the tool on its path.");
 }
 
 }  // namespace armtune::internal::python

@@ -28,7 +28,8 @@ void bind_plan(py::module_& module) {
       .def_readonly("used", &PlanLimit::used, "Largest share of the limit used at any time; 1: at the limit.")
       .def_readonly(
           "time", &PlanLimit::time,
-          "Time of the largest use of the limit [s], if it lies between two knots; nan if it lies at a knot.")
+          "Time at which the limit is used most [s]; nan if this is at a knot, because only times between "
+          "knots are kept.")
       .def_readonly("binds", &PlanLimit::binds, "True if the limit restricts the motion somewhere.");
   py::class_<Plan>(module, "Plan", made_by_armtune(), "A planned motion of n joints at N times.")
       .def_readonly("solved", &Plan::solved)

@@ -78,9 +78,10 @@ PYBIND11_MODULE(_armtune, module) {
   py::module_::import("atexit").attr("register")(py::cpp_function(&python::end_all_work));
   module.def(
       "arithmetic", [] { return std::pair(arithmetic().level, arithmetic().fingerprint); },
-      "Returns (level, fingerprint) of the variants of sin, exp and the like that this process uses.");
+      "Returns (level, fingerprint). level: which variants of sin, exp and similar functions this process "
+      "uses. fingerprint: a hash of the results of these functions.");
   module.def(
       "baseline_tunables", &baseline_tunables, py::arg("set"),
-      "Returns a value of GLIBC_TUNABLES with which glibc uses only functions that every x86-64 processor "
-      "has. set: the value of GLIBC_TUNABLES so far.");
+      "Returns a value of the environment variable GLIBC_TUNABLES with which glibc uses only instructions "
+      "that every x86-64 processor has. set: the present value; its other settings are kept.");
 }

@@ -48,9 +48,9 @@ void bind_robustness(py::module_& module) {
       py::arg("perturbation") = std::map<std::string, double>(), py::arg("engine") = "simbody",
       py::arg("folder") = py::none(), py::arg("resume") = false, py::arg("workers") = 1,
       py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
-      "Simulates gains on random arms. perturbation: widths of the random changes by name: mass, center, "
-      "inertia, rotor, friction, payload, delay, noise, theta, target_speed. Names left out have default "
-      "widths.");
+      "Simulates gains on random arms. perturbation: a dict with the width of each random change. Its keys "
+      "are mass, center, inertia, rotor, friction, payload, delay, noise, theta and target_speed. Keys left "
+      "out have default widths.");
 
   py::class_<Margin>(module, "Margin", made_by_armtune(),
                      "A stability margin: how far one quantity can change in one scenario.")

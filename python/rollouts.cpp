@@ -134,13 +134,13 @@ void bind_rollouts(py::module_& module) {
       .def_property_readonly("completed", &Rollout::completed)
       .def_property_readonly(
           "reason", [](const Rollout& self) { return as_utf8(self.reason()); },
-          "When, where and why it did not complete; empty if it completed.")
+          "When, where and why the rollout did not complete; empty if it completed.")
       .def_property_readonly("metrics", &Rollout::metrics,
                              "Every metric by name, in SI units; nan if it has no value.")
       .def_property_readonly(
           "broken_limits", &Rollout::broken_limits,
-          "The arm's limits that were exceeded, one sentence each. None if they were not checked: for "
-          "several gain sets, random arms, and objectives of your own.")
+          "The arm's limits that were exceeded, one sentence each. None if the limits were not "
+          "checked: with several gain sets, on random arms, and in an objective function of your own.")
       .def_property_readonly(
           "columns", &columns,
           "All columns by name, as read-only NumPy arrays without a copy: pandas.DataFrame(rollout.columns).")
@@ -160,8 +160,8 @@ void bind_rollouts(py::module_& module) {
       py::arg("engine") = "simbody", py::arg("workers") = 1, py::arg("record_every") = 5,
       py::arg("stepper") = "midpoint", py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
       "Simulates scenarios in parallel and returns a list of rollouts. If gains is a list, it returns one "
-      "such list for each gain set, without recordings. The native engine then computes several rollouts "
-      "side by side in a processor's vector registers.");
+      "such list for each gain set, without recordings. For such a list of gain sets, the native engine "
+      "computes several rollouts at once, in the vector registers of a processor.");
   module.def(
       "errors_csv",
       [](const std::vector<const Rollout*>& rollouts) { return as_utf8(errors_text(rollouts)); },

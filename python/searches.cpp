@@ -133,8 +133,9 @@ void bind_searches(py::module_& module) {
   bind_study(module);
   py::class_<Tuned>(module, "Tuned", made_by_armtune(), "The result of a search.")
       .def_readonly("start", &Tuned::start, "The start gains.")
-      .def_readonly("best", &Tuned::best, "The best gains; feasible if any evaluated gains were.")
-      .def_readonly("objective", &Tuned::objective, "Objective of the best gains; 1 for the start gains.")
+      .def_readonly("best", &Tuned::best, "The best gains; feasible if any evaluated gains were feasible.")
+      .def_readonly("objective", &Tuned::objective,
+                    "Objective of the best gains. The start gains have the objective 1.")
       .def_readonly("feasible", &Tuned::feasible, "True if the best gains keep every constraint.")
       .def_property_readonly(
           "reason", [](const Tuned& self) { return as_utf8(self.reason); }, "Why the search ended.")
@@ -143,7 +144,7 @@ void bind_searches(py::module_& module) {
           "Objective of every evaluation, in order.")
       .def_property_readonly(
           "violations", [](const Tuned& self) { return numbers_of(self.evaluations, &TunePoint::violation); },
-          "Sum of the relative constraint violations in every evaluation; 0 if it is feasible.")
+          "Sum of the relative constraint violations in every evaluation; 0 for feasible gains.")
       .def_property_readonly(
           "engines",
           [](const Tuned& self) {
@@ -177,7 +178,7 @@ void bind_searches(py::module_& module) {
       py::arg("workers") = 1, py::arg("analysis") = true, py::arg("deadline") = 0.0,
       py::arg("progress") = py::none(),
       "Runs a study. The result does not depend on the number of workers. folder: new folder for all files "
-      "of the run. analysis: also compute margins, sensitivity and the checks that take long.");
+      "of the run. analysis: also compute margins, sensitivity, yield and endurance.");
 
   py::class_<FrontPoint>(module, "FrontPoint", made_by_armtune(), "One point of a front.")
       .def_readonly("gains", &FrontPoint::gains)

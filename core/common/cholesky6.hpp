@@ -23,7 +23,7 @@ class Cholesky6T {
     for (int j = 0; j < n; ++j) {
       T square = A(j, j);
       for (int k = 0; k < j; ++k) square -= L_(j, k) * L_(j, k);
-      // A square that is not positive means that A has lost rank: its product is zero whatever follows.
+      // If a square is not positive, A is not positive definite. The product is then zero and stays zero.
       const T root = sqrt(square);
       product_ = select(square > T(0), product_ * root, T(0));
       L_(j, j) = root;
@@ -56,7 +56,7 @@ class Cholesky6T {
  private:
   int n_ = 0;
   Matrix L_;
-  Vec6T<T> inverse_;  ///< of the diagonal of L
+  Vec6T<T> inverse_;  ///< 1 divided by each entry of the diagonal of L
   T product_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-// A dual number: a value that carries its derivatives along N directions. A function that is a template over
-// its scalar type then gives exact Jacobians by forward-mode differentiation (Griewank and Walther,
-// Evaluating Derivatives, chapter 3).
+// A dual number: a value together with its derivatives along N directions. With dual numbers as the scalar
+// type, a function template also computes its exact Jacobian, by forward-mode differentiation (Griewank and
+// Walther, Evaluating Derivatives, chapter 3).
 
 #include <Eigen/Core>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-// Checks the names from which the names of result files are made: those of scenarios, studies and tasks, and
+// Checks names that become part of the names of result files: the names of scenarios, studies and tasks, and
 // the labels under which gain sets are compared.
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace armtune::internal {
 
-/// Longest name [byte]. A file system allows 255 for a file name. The longest text that is put around a name
-/// is "rollout_", ".csv" and ".partial", or a date.
+/// Longest name [byte]. File systems allow 255 bytes for a file name. To a name, armtune adds at most
+/// "rollout_", ".csv" and ".partial", or a date.
 inline constexpr std::size_t kLongestName = 200;
 
 /// Throws InputError, naming `path`, if `name` cannot be used in the names and texts of result files: it is

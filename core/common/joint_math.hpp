@@ -22,8 +22,8 @@ void each_sine_and_cosine(const JointVectorT<T>& x, JointVectorT<T>& sines, Join
   }
 }
 
-/// Computes sin and cos of every entry of x (n). If a double is beyond kLargestAngle, all are computed one by
-/// one.
+/// Computes sin and cos of every entry of x (n). The version for doubles computes two entries at a time. If
+/// an entry is beyond kLargestAngle, it computes all entries one by one.
 template <typename T>
 void sines_and_cosines(const JointVectorT<T>& x, JointVectorT<T>& sines, JointVectorT<T>& cosines) {
   each_sine_and_cosine(x, sines, cosines);

@@ -68,7 +68,7 @@ class Lu6T {
 
   Rows rows_;  ///< L below the diagonal, U on and above it
   std::array<T, 6> inverse_pivot_;
-  std::array<MaskT<T>, 15> swapped_;  ///< rows k and r > k, in the order of the factorisation
+  std::array<MaskT<T>, 15> swapped_;  ///< for each pair of rows k and r > k: true if swapped
 };
 
 }  // namespace armtune::internal

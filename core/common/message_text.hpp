@@ -8,8 +8,8 @@
 namespace armtune::internal {
 
 /// Returns the text as one line of UTF-8 that a terminal can show. Line breaks, other control characters and
-/// bytes that are not UTF-8 are escaped. Words longer than any path or key path (a name of a megabyte) are
-/// cut.
+/// bytes that are not UTF-8 are escaped. A word that is longer than any path or key path can be, such as a
+/// name of a megabyte, is cut.
 std::string one_line(std::string_view text);
 
 /// Returns a value in quotes for a message. A long value is cut, never in the middle of a UTF-8 character.

@@ -7,10 +7,11 @@
 
 namespace armtune::internal {
 
-/// Returns the candidate with the smallest edit distance to `word`, the first one of equals. The distance
-/// counts insertions, deletions, substitutions and swaps of neighbours (restricted Damerau-Levenshtein,
-/// optimal string alignment) and ignores ASCII case. Returns an empty string if nothing is close: distance >
-/// max(2, length of word / 3), or no letter in place. Throws only std::bad_alloc.
+/// Returns the candidate with the smallest edit distance to `word`; if several have it, the first of them.
+/// The distance counts insertions, deletions, substitutions and swaps of neighbours (restricted
+/// Damerau-Levenshtein, optimal string alignment) and ignores ASCII case. A candidate is not close if its
+/// distance exceeds max(2, a third of the length of `word`), or if every letter would have to change. Returns
+/// an empty string if no candidate is close. Throws only std::bad_alloc.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
 /// Returns " (did you mean 'x'?)" with the nearest candidate, to follow `word` in a message; empty if nothing

@@ -1,8 +1,8 @@
 #pragma once
-// Pack<W>: W doubles side by side, used as one scalar type (SIMD). Each entry, or lane, belongs to another
-// arm: code that is a template over its scalar type then computes W arms at once. Each arm's operations and
-// their order are those of the arm alone, so the results are bit-identical. Pack uses GCC's vector
-// extensions: any width compiles for any processor.
+// Pack<W>: W doubles side by side, used as one scalar type (SIMD). Each of the W entries, called lanes,
+// belongs to a different arm. With Pack<W> as the scalar type, a template therefore computes W arms at once.
+// For each arm, the operations and their order are the same as for the arm alone, so the results are
+// bit-identical. Pack uses GCC's vector extensions, so any width compiles for any processor.
 
 #include <Eigen/Core>
 #include <bit>
@@ -33,7 +33,7 @@ template <int W>
 class Pack {
  public:
   using Register = typename PackRegister<W>::Doubles;
-  /// All bits are set where a comparison is true.
+  /// The result of a comparison. In each lane, all bits are set if the comparison is true, else none.
   using Mask = decltype(Register{} < Register{});
 
   Pack() = default;
@@ -80,8 +80,8 @@ Pack<W> sqrt(const Pack<W>& x) {
   return Pack<W>(root);
 }
 
-/// Computes sin and cos of every entry of x (n). If one angle of an arm is too large for the fast method, all
-/// angles of that arm take the slow one, as they do for the arm alone.
+/// Computes sin and cos of every entry of x (n). If one angle of an arm is too large for the fast method, the
+/// slow method is used for all angles of that arm, as for the arm alone.
 template <int W>
 void sines_and_cosines(const JointVectorT<Pack<W>>& x, JointVectorT<Pack<W>>& sines,
                        JointVectorT<Pack<W>>& cosines) {
@@ -106,7 +106,7 @@ void sines_and_cosines(const JointVectorT<Pack<W>>& x, JointVectorT<Pack<W>>& si
   }
 }
 
-/// Returns e^x, with the same arithmetic as for two numbers at once.
+/// Returns e^x of every lane, with the arithmetic that vector_math::exponential has for every width.
 template <int W>
 Pack<W> exp(const Pack<W>& x) {
   return Pack<W>(vector_math::exponential(x.values()));

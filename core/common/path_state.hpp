@@ -1,13 +1,13 @@
 #pragma once
-// Checks whether a file or folder exists at a path. If the file system cannot tell, an InputError gives the
-// reason. Therefore a folder without read permission is never mistaken for a missing one.
+// Checks whether a file or folder exists at a path. If that cannot be determined, an InputError gives the
+// reason. A folder without read permission is therefore never mistaken for a missing one.
 
 #include <string>
 
 namespace armtune::internal {
 
 /// True if a file, folder or anything else exists there; symbolic links are followed. Throws
-/// InputError with path and reason if that cannot be determined: a folder on the way may not be searched,
+/// InputError with path and reason if that cannot be determined: a folder of the path may not be entered,
 /// links form a loop, or the name is too long.
 bool is_there(const std::string& path);
 

@@ -13,8 +13,8 @@ T select(bool where, const T& a, const T& b) {
   return where ? a : b;
 }
 
-/// True if a condition holds for any number (any), or for every number (all). bool is the condition of a
-/// single number, a mask that of several.
+/// True if a condition holds for at least one number (any), or for every number (all). The condition is a
+/// bool for a single number, and a mask for several numbers.
 inline bool any(bool where) {
   return where;
 }

@@ -46,7 +46,7 @@ class Twin<double> {
   Twin operator-() const { return Twin(-v_); }
   Twin& operator+=(Twin b) { return *this = *this + b; }
   Twin& operator-=(Twin b) { return *this = *this - b; }
-  // The other one stays bit-identical: y - 0 is y, while y + 0 turns -0 into 0.
+  // Subtracts -x, so that the other number stays bit-identical: y - 0 is y, while y + 0 turns -0 into 0.
   void add_first(double x) { v_ -= Register{-x, 0.0}; }
   void add_second(double x) { v_ -= Register{0.0, -x}; }
 

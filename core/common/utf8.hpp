@@ -1,5 +1,5 @@
 #pragma once
-// Decodes UTF-8 text, and finds out whether text is printable, so that YAML files and terminals show it
+// Decodes UTF-8 text, and tests whether text is printable. YAML files and terminals show printable text
 // unchanged.
 
 #include <cstddef>
@@ -11,16 +11,16 @@ namespace armtune::internal {
 
 struct Utf8Character {
   std::size_t bytes = 1;         ///< length in bytes
-  std::optional<char32_t> code;  ///< none: the first byte starts no valid character and counts alone
+  std::optional<char32_t> code;  ///< no value: the first byte starts no valid character (bytes is 1)
 };
 
 /// Returns the first character of the text, which must not be empty. Overlong forms, surrogates and anything
 /// beyond U+10FFFF are not characters (Unicode, table 3-7).
 Utf8Character first_character(std::string_view text);
 
-/// True if YAML prints the character unchanged and no program takes it for a line end: no control character
-/// (C0, DEL, C1), no line or paragraph separator (U+2028, U+2029), no byte order mark, none that Unicode
-/// excludes.
+/// True if YAML prints the character unchanged and no program takes it for a line end. Not printable are
+/// control characters (C0, DEL, C1), line and paragraph separators (U+2028, U+2029), the byte order mark, and
+/// codes that Unicode excludes.
 bool is_printable(char32_t code);
 
 /// True if every character of the text is printable, which implies that the text is UTF-8.

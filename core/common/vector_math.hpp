@@ -42,7 +42,7 @@ void sine_cosine(const V& x, V& sine, V& cosine) {
                  z * (-2.7557317271145144e-07 + z * (2.087614614655861e-09 - z * 1.1382623647474604e-11)))));
   const V half = 0.5 * z;
   const V most = 1.0 - half;
-  const V c = most + (((1.0 - most) - half) + rest);  // with what the subtraction rounded away
+  const V c = most + (((1.0 - most) - half) + rest);  // adds what the subtraction rounded away
   const auto quarter = reinterpret_cast<Bits<V>>(turned);
   const auto odd = -(quarter & 1);  // all ones where sine and cosine change places
   const auto s_bits = reinterpret_cast<Bits<V>>(s);

@@ -3,16 +3,17 @@
 //   theta <- theta - gamma Y^T S dt,   S = q' - qr'.
 // The law compensates the arm's dynamics with the torque Y theta, where Y is the regressor of slotine_li.hpp.
 //
-// The published law takes Y along the measured motion, Y(q, q', qr', qr''). The noise n of the measured
-// velocities is in S, and through the feedback also in qr'' = ... - Kp n. The two correlate, so the inertia
-// estimates grow by gamma Kp E[n^2] per second without end. Three options bound theta; the published law has
-// none of them:
-//   - Y along the filtered motion (adaptation_filter.hpp), which has hardly any noise.
-//   - Leakage towards the start of theta, faster for inertias than for the rest. Noise mainly drives up the
-//     estimates of inertias, and an overestimated inertia of a light wrist makes the loop ring. Gravity shows
-//     masses and first moments at all times: they may leak slowly and keep what was learnt of a payload.
-//   - Projection to physically valid parameters. It bounds theta from one side only: the cone of physical
-//     parameters has no upper bound.
+// The published law computes Y from the measured motion, Y(q, q', qr', qr''). The noise e of the measured
+// velocities is in S, and through the feedback also in qr'' = ... - Kp e. S and Y are then correlated, so the
+// inertia estimates grow by gamma Kp E[e^2] per second without end. Three options bound theta; the published
+// law has none of them:
+//   - Y is computed from the filtered motion (adaptation_filter.hpp), which has hardly any noise.
+//   - Leakage moves theta towards its start values, faster for inertias than for the other parameters. Noise
+//     mainly increases the estimates of inertias, and an overestimated inertia of a light wrist makes the
+//     loop oscillate. Masses and first moments are excited by gravity at all times. They can therefore leak
+//     slowly, so that theta keeps what was learnt about a payload.
+//   - Projection moves theta to physically valid parameters. It bounds theta from one side only: the cone of
+//     physical parameters has no upper bound.
 
 #include "core/common/select.hpp"
 #include "core/robot/physical_theta.hpp"
@@ -32,8 +33,8 @@ class AdaptationT {
   /// Returns the theta that leakage leads back to.
   ParameterVectorT<T>& start() { return start_; }
 
-  /// Takes one explicit Euler step of length dt [s] for the arms that `where` selects. Y is that of `along`,
-  /// S that of `measured`; both are of this period.
+  /// Takes one explicit Euler step of length dt [s] for the arms that `where` selects. Y is computed from the
+  /// motion `along`, and S from the motion `measured`; both motions belong to this period.
   void step(const SlotineLiT<T>& along, const SlotineLiT<T>& measured, const T& gamma, const T& dt,
             const MaskT<T>& where = T(0) < T(1)) {
     slotine_li_gradient(along, measured, gradient_);

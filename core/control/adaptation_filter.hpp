@@ -3,9 +3,9 @@
 // pass the first-order filter
 //   x <- x + (1 - exp(-2 pi f T)) (measured - x),
 // with the corner frequency f and the control period T. It is needed because noise of the measured velocities
-// is in both Y and S, which makes theta drift (adaptation.hpp). If this noise is white, Y contains hardly any
-// of it after the filter, while S still has all of it. The mean of their product is multiplied by
-// 1 - exp(-2 pi f T), which is 0.06 at 5 Hz and 2 ms.
+// is in both Y and S, which makes theta drift (adaptation.hpp). If this noise is white, the filter removes
+// nearly all of it from Y, while S keeps all of it. The filter thereby multiplies the mean product of the
+// noise in Y and the noise in S by 1 - exp(-2 pi f T). This factor is 0.06 at f = 5 Hz and T = 2 ms.
 
 #include <cmath>
 #include <type_traits>
@@ -14,7 +14,7 @@
 
 namespace armtune::internal {
 
-/// Returns the share of the difference that the filter takes in each period. corner [Hz]; period [s].
+/// Returns the factor 1 - exp(-2 pi f T) of the filter. corner: f [Hz]. period: T [s].
 inline double filter_share(double corner, double period) {
   return 1.0 - std::exp(-2.0 * M_PI * corner * period);
 }
@@ -37,7 +37,7 @@ class AdaptationFilterT {
     }
   }
 
-  /// Computes the smoothed motion at the measured poses.
+  /// Computes the motion of the bodies, `along`, from the filtered q', qr' and qr'' at the measured poses.
   void motion(const ChainT<T>& chain, const PosesT<T>& poses, SlotineLiT<T>& along) const {
     slotine_li_forward(chain, poses, qd_, qdr_, qddr_, along);
   }

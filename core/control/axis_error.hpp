@@ -7,8 +7,8 @@
 
 namespace armtune::internal {
 
-/// Returns the negative of the shortest turn of the tool's z axis onto that of the desired orientation. It is
-/// a rotation vector [rad, base frame], perpendicular to both axes.
+/// Returns the negative of the shortest turn of the tool's z axis onto the z axis of the desired orientation.
+/// The result is a rotation vector [rad, base frame], perpendicular to both axes.
 inline Vec3 axis_error(const Mat3& R_0T, const Eigen::Quaterniond& desired) {
   return -gaze_turn(R_0T, Vec3::Zero(), desired * Vec3::UnitZ());
 }

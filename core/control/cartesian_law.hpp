@@ -29,10 +29,10 @@ inline TaskReference task_reference(const CartesianErrors& x, const Vec6& Kp, co
           x.desired_accel - Kp.cwiseProduct(x.rate) - Ki.cwiseProduct(x.pose)};
 }
 
-/// Removes the feedback from the turn about z (unit, base frame), so that only the desired motion's turn
-/// remains. It is for a tool that points at a target and may roll freely. The roll has no error, so nothing
-/// would end a roll rate that the integral commands. The integral gets a part about z whenever the tool's
-/// axis turns.
+/// Removes the feedback about the axis z (unit vector, base frame) from the reference, so that only the
+/// desired motion about z remains. This is for a tool that points at a target and may roll freely. Whenever
+/// the tool's axis turns, the integral gets a part about z and commands a roll rate. The roll has no error,
+/// so no feedback would end this roll rate.
 inline void without_roll_feedback(const CartesianErrors& x, const Vec3& z, TaskReference& reference) {
   reference.rate.tail<3>() -= z * z.dot(reference.rate.tail<3>() - x.desired_rate.tail<3>());
   reference.acceleration.tail<3>() -= z * z.dot(reference.acceleration.tail<3>() - x.desired_accel.tail<3>());

@@ -1,8 +1,8 @@
 #pragma once
 // Makes the decisions of a controller in every control period: its state, the motion that it tracks, its
 // gains, its pace along the path and its limits. Decisions are made for each arm separately. The numerical
-// work between them does not depend on what was decided. It can therefore be done for one arm or for several
-// at once.
+// work between the decisions does not depend on them. It can therefore be done for one arm or for several at
+// once.
 
 #include <memory>
 #include <optional>
@@ -41,16 +41,17 @@ class ControlLogic {
   bool decide(const JointState& measured, const ArmView& arm, const Scene& scene, double time);
   const TaskReference& task_reference() const { return task_reference_; }
 
-  /// Second step, with the joint reference in the output: slows it down to what the joints can follow.
+  /// Second step, after the joint reference is in the output: slows this reference down to velocities that
+  /// the joints can follow.
   void keep_pace(const Scene& scene, double time);
-  /// True if keep_pace acts in this period. Otherwise the joint reference is not needed here.
+  /// True if keep_pace acts in this period. If false, keep_pace does not need the joint reference.
   bool keeps_pace() const;
 
   /// Returns Kd of the active state (n) [N m s/rad].
   const JointVector& Kd() const { return Kd_; }
 
-  /// Third step, with the law's torque in the output as the commanded one: adds the repulsion and the
-  /// barrier, and applies the effort limits.
+  /// Third step, after the law's torque is in ControlOutput::commanded: adds the repulsion of obstacles and
+  /// the torque of the velocity barrier, and applies the effort limits.
   void limit_torque(const JointState& measured, const ArmView& arm, const Scene& scene);
   /// Last step: advances the integral unless a joint is saturated. Returns true if the law may adapt its
   /// model now.
@@ -93,7 +94,7 @@ class ControlLogic {
   Quintic<Vec3> return_{
       {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 1.0};
   double return_start_ = 0.0;
-  double lag_ = 0.0;  ///< interpolations run on time - lag_ [s]: zero unless the governor slows them
+  double lag_ = 0.0;  ///< interpolations use time - lag_ [s]; lag_ is zero until the governor slows them
   TaskGoal task_goal_;
   Vec6 integral_ = Vec6::Zero();
   TaskReference task_reference_;

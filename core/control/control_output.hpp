@@ -21,19 +21,19 @@ struct JointState {
 
 /// The controller's information about its surroundings in one period, in the base frame.
 struct Scene {
-  const Path* path = nullptr;  ///< the tool's path, on the simulation's own time
+  const Path* path = nullptr;  ///< the tool's path over simulated time
   MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< the active gaze target [m]
   std::span<const Obstacle> obstacles;
-  /// Joint motion that is followed first, on the simulation's own time; null: leaveSingularity. It is the
-  /// same in every period.
+  /// Planned joint motion over simulated time, which is followed first. Null: the state leaveSingularity
+  /// comes first. The plan is the same in every period.
   const JointSpline* plan = nullptr;
-  /// The path's motion at this time, if it has been computed already.
+  /// The path's motion at this time, if it has been computed already; null: not yet.
   const MotionPoint<Vec3>* on_path = nullptr;
-  /// Wanted orientation of the tool in place of a gaze at the target; null: there is a gaze.
+  /// Wanted orientation of the tool, in place of a gaze at the target. Null: the tool points at the target.
   const OrientationPoint* orientation = nullptr;
 };
 
-/// The results of one period, as a recorder needs them.
+/// The results of one control period, including all quantities that recordings contain.
 struct ControlOutput {
   JointVector torque;     ///< sent to the joints, within the effort limits [N m, N]
   JointVector commanded;  ///< before saturation

@@ -8,7 +8,8 @@
 
 namespace armtune::internal {
 
-/// The values k_f: n, one per force point; or n x n, row by row, with those of force point i from i n on.
+/// The values k_f: either n, one per force point, or n x n. The n values of force point i then start at the
+/// index i n.
 using ForceGains = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxJoints * kMaxJoints, 1>;
 
 /// True if every force point has a separate gain for each of the n joints.

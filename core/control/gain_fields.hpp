@@ -17,7 +17,8 @@ namespace armtune::internal {
 enum class SearchRange {
   kNone,    ///< not tuned unless a study names it
   kFactor,  ///< lower_factor .. upper_factor times the start, on a log scale
-  /// For Ki: 0 .. Kp^2/4 of the same axis, on a linear scale. Beyond it e'' + Kp e' + Ki e = 0 oscillates.
+  /// For Ki: 0 .. Kp^2/4, on a linear scale, with the Kp of the same axis. With a larger Ki, the error e of
+  /// e'' + Kp e' + Ki e = 0 oscillates.
   kCriticalDamping
 };
 
@@ -70,8 +71,8 @@ Eigen::Index size_of(GainShape shape, int n);
 
 /// Returns the names of a field's values: "" for a scalar, "x".."rz" for six, joint names for joint vectors.
 std::vector<std::string> component_names(const GainField& field, const std::vector<std::string>& joints);
-/// Returns the same for the values that `gains` has. If a force point has a gain for each joint, their names
-/// are "point/joint", from the names of both joints.
+/// Returns the names of the values that the field has in `gains`. They differ from the above only for force
+/// points with a gain for each joint: the names are then "point/joint", where both parts are joint names.
 std::vector<std::string> component_names(const Gains& gains, const GainField& field,
                                          const std::vector<std::string>& joints);
 

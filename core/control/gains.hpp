@@ -11,12 +11,13 @@
 
 namespace armtune::internal {
 
-/// The orientation from which a slerp interpolates: that at its start, or the current one (as in the released
-/// code).
+/// The orientation from which a slerp interpolates. kStart: the tool's orientation at the start of the slerp.
+/// kCurrent: its present orientation, as in the code of the published controller.
 enum class SlerpReference { kStart, kCurrent };
 
-/// The gains of a controller. core/control/gain_fields.cpp declares unit and meaning of every field; files,
-/// help and search spaces are made from it. Six-vectors are (x y z rx ry rz); joint vectors have n entries.
+/// The gains of a controller. core/control/gain_fields.cpp declares unit and meaning of every field. Gains
+/// files, help texts and search spaces are made from these declarations. Six-vectors are (x y z rx ry rz);
+/// joint vectors have n entries.
 struct Gains {
   std::string controller = "adaptive";  ///< a kind's name (core/control/laws/controller_kind.hpp)
   std::vector<JointVector> own;         ///< gains of this kind only, in the order of its declaration

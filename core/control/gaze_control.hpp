@@ -1,15 +1,16 @@
 #pragma once
 // Computes the reference orientation of a tool that points at a target, the gaze (equation 7 in NOTATION.md).
-// If the angle to the goal orientation is below a threshold, the reference is the goal orientation itself.
-// Otherwise it is a slerp, whose parameter is a quintic with a duration of k_s times the angle.
+// While the angle to the goal orientation is below a threshold, the reference is the goal orientation itself.
+// At a larger angle a slerp starts. Its parameter is a quintic with a duration of k_s times the angle.
 //
-// With gaze feed-forward the desired orientation turns like the line from tool to target. Without it, as
-// published, the desired orientation is at rest outside slerps. With feed-forward, a slerp from its start
-// also begins with the motion that the desired orientation had. If it began at rest, its velocity would
-// jump, and Kd would turn that jump into a torque.
+// Without gaze feed-forward, as published, the desired angular velocity is zero outside slerps. With gaze
+// feed-forward, it is that of the line from tool to target. A slerp with SlerpReference::kStart then starts
+// with the angular velocity that the desired orientation had before. If it started at rest, the desired
+// velocity would jump, and Kd would turn that jump into a torque.
 //
-// An orientation that is given in place of a target is tracked in the same way. The rates are exact for a
-// slerp from its start. For one from the `current` orientation they ignore that this orientation moves.
+// An orientation that is given in place of a target is tracked in the same way. The angular velocity and
+// acceleration of a slerp are exact with SlerpReference::kStart. With kCurrent they ignore that the current
+// orientation moves.
 
 #include <functional>
 #include <optional>
@@ -32,8 +33,9 @@ class GazeControl {
     Vec3 turn = Vec3::Zero();  ///< from the measured tool to its aim
   };
 
-  /// The largest joint speeds for a slerp's own turn. The duration of the slerp is extended to keep them. The
-  /// motion with which the slerp begins is added to its own turn, and the velocity governor slows both.
+  /// Bounds on the joint velocities during a slerp. The duration of a slerp is extended until its
+  /// interpolation keeps them. The motion with which the slerp starts is not counted here; the velocity
+  /// governor limits the sum of both.
   struct SpeedBound {
     std::function<const TaskInverse&()> inverse;  ///< of the present Jacobian; called when a slerp starts
     const JointVector& bound;                     ///< (n) [rad/s, m/s]
@@ -62,7 +64,7 @@ class GazeControl {
   Mat3 R_start_ = Mat3::Identity();
   Eigen::Quaterniond Q_start_ = Eigen::Quaterniond::Identity();
   Quintic<double> parameter_ = rest_to_rest(0.0, 1.0, 1.0);
-  TurnRate last_;                        ///< of the desired orientation in the last period
+  TurnRate last_;                        ///< turn rate of the desired orientation in the last period
   std::optional<Quintic<Vec3>> onward_;  ///< rotation vector that continues the motion before the slerp
 };
 

@@ -1,8 +1,9 @@
 #pragma once
-// The velocity and acceleration references of the joints when the controller tracks a joint motion qd. This
-// motion is a quintic from the start pose to the goal (state leaveSingularity) or a planned trajectory (state
-// followPlan):
+// The velocity and acceleration references of the joints when the controller tracks a joint motion, with the
+// desired positions qd:
 //   qr' = qd' - Kp (q - qd),   qr'' = qd'' - Kp (q' - qd').
+// The motion is a quintic from the start pose to the goal (state leaveSingularity) or a planned trajectory
+// (state followPlan).
 
 #include "core/common/types.hpp"
 #include "core/trajectory/quintic.hpp"
@@ -16,13 +17,15 @@ struct JointReferenceT {
 };
 using JointReference = JointReferenceT<double>;
 
-/// Returns qd, qd', qd'' at t on the rest-to-rest quintic between two joint positions (n each).
+/// Returns the desired joint positions, velocities and accelerations at t on the rest-to-rest quintic between
+/// two joint positions (n each).
 inline MotionPoint<JointVector> joint_trajectory(const JointVector& start, const JointVector& goal,
                                                  double duration, double t) {
   const MotionPoint<double> s = rest_to_rest(0.0, 1.0, duration).at(t);
   return {start + s.position * (goal - start), s.velocity * (goal - start), s.acceleration * (goal - start)};
 }
 
+/// Computes the references. q, qd: measured positions and velocities (n each).
 inline void joint_space_references(const MotionPoint<JointVector>& desired, const JointVector& Kp,
                                    const JointVector& q, const JointVector& qd, JointReference& reference) {
   reference.velocity = desired.velocity - Kp.cwiseProduct(q - desired.position);

@@ -1,5 +1,6 @@
 #pragma once
-// An obstacle that the arm avoids: a ball in the base frame. Scalar type T, as in chain.hpp.
+// An obstacle that the arm avoids: a ball in the base frame. The scalar type T is double for one arm, or a
+// SIMD type for several arms at once (chain.hpp).
 
 #include <string>
 

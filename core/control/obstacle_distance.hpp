@@ -3,9 +3,9 @@
 //   - obstacle_distance is the distance that the published controller uses. It counts the joint origins, and
 //     not the tool.
 //   - clearance is how close the arm really comes. It counts the tool tip as well.
-// In a chain with link_radius, links have a surface, from each joint's origin to the next and from the last
-// one to the tool. Both distances are then that of the nearest link's surface. Both are negative if arm and
-// obstacle overlap, and infinite without obstacles.
+// In a chain with link_radius, every link is a capsule. Its axis leads from its joint's origin to the next
+// joint's origin, or to the tool for the last link. Both distances are then measured from the surface of the
+// nearest capsule. Distances are negative if arm and obstacle overlap, and infinite without obstacles.
 
 #include <cmath>
 #include <limits>
@@ -17,8 +17,8 @@
 
 namespace armtune::internal {
 
-/// Returns the point nearest to p on link i, a straight line from its joint's origin to the next one's (to
-/// the tool's for the last link).
+/// Returns the point nearest to p on link i. The link is the straight line from its joint's origin to the
+/// next joint's origin, or to the tool's origin for the last link.
 template <typename T>
 Vec3T<T> nearest_on_link(const PosesT<T>& poses, int i, const Vec3T<T>& p) {
   const Vec3T<T>& from = poses.p_0B[static_cast<std::size_t>(i)];
@@ -64,9 +64,9 @@ inline double obstacle_distance(const Chain& chain, const Poses& poses, std::spa
   return obstacle_distance<double>(chain, poses, obstacles);
 }
 
-/// Returns the arm's clearance [m]. acted_on: obstacle_distance of the same arm and obstacles, to which the
-/// tool tip is added. For a chain with link_radius it is the clearance already, since its last link ends at
-/// the tool.
+/// Returns the arm's clearance [m]: the smaller one of acted_on and the distance of the tool tip. acted_on:
+/// obstacle_distance of the same arm and obstacles. For a chain with link_radius, acted_on is the clearance
+/// already, since the last link ends at the tool.
 template <typename T>
 T clearance(const ChainT<T>& chain, const PosesT<T>& poses, std::span<const ObstacleT<T>> obstacles,
             const T& acted_on) {

@@ -1,11 +1,13 @@
 #pragma once
-// Obstacle avoidance by repulsive forces on the arm, which become joint torques (equations 9 and 10 in
-// NOTATION.md):
-//   tau = sum_i k_f,i * (J_i^T sum_j f(i,j)),   f = (1 - s/r_o)^2 d/|d|,   d = joint origin i - centre of j,
-// with the obstacles j and s = |d| - radius of j. k_f,i multiplies joint by joint, or is one number
-// (force_gains.hpp). In a chain with link_radius the forces act on the links instead. d then runs to the
-// point of link i that is nearest to the centre, s is measured to the link's surface, and J_i is that of the
-// point.
+// Computes the joint torques by which the arm avoids obstacles (equations 9 and 10 in NOTATION.md). Every
+// obstacle j repels the origin of every joint i with a force:
+//   tau = sum_i k_f,i * (J_i^T sum_j f(i,j)),   f = (1 - s/r_o)^2 d/|d|.
+// d is the vector from the centre of obstacle j to the origin of joint i, s = |d| - radius of j is the
+// distance, and r_o the influence radius. J_i is the Jacobian of the origin of joint i. The gain k_f,i is one
+// number, or has one value for each entry of the torque (force_gains.hpp).
+//
+// In a chain with link_radius the forces act on the links instead. d then ends at the point of link i that is
+// nearest to the centre, s is measured to the link's surface, and J_i is the Jacobian of that point.
 
 #include <span>
 
@@ -16,12 +18,12 @@
 namespace armtune::internal {
 
 /// Returns the repulsion f of one obstacle. d [m]: from the obstacle's centre to the point on the arm. inside
-/// [m]: part of |d| that lies inside the obstacle or the link. f is at most 1 long, and zero if the remaining
-/// distance is influence_radius or more.
+/// [m]: part of |d| that lies inside the obstacle or the link. The length of f is at most 1. It is zero if
+/// |d| - inside is influence_radius or more.
 Vec3 repulsion(const Vec3& d, double influence_radius, double inside = 0.0);
 
-/// Computes the repulsive joint torques (n) [N m]. Those of the fourth joint and up are zero, as published,
-/// since the wrist serves the gaze.
+/// Computes the repulsive joint torques (n) [N m]. As published, the torques of the fourth joint and of all
+/// joints after it are zero, since the wrist serves the gaze.
 void obstacle_torque(const Chain& chain, const Poses& poses, std::span<const Obstacle> obstacles,
                      double influence_radius, const ForceGains& force_gains, JointVector& tau);
 

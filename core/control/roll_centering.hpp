@@ -27,7 +27,8 @@ class RollCentering {
   bool is_on() const { return gain_ > 0.0; }
 
   /// Advances by one control period [s], with the joints measured at q (n). frozen_start: true during a slerp
-  /// that interpolates from the orientation at its start; the roll since then is kept.
+  /// that interpolates from the orientation at its start. The roll since the start of the slerp is then added
+  /// to the orientation of the slerp.
   void step(const JointVector& q, double period, bool frozen_start);
 
   /// Adds the roll to the desired orientation, its angular velocity and its angular acceleration.

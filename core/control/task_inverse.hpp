@@ -1,10 +1,10 @@
 #pragma once
-// The inverse J+ of the Jacobian, which is damped if the manipulability m is below a threshold (equations 3
-// and 4 in NOTATION.md):
-//   m = sqrt(det(J J^T));  m >= threshold: J^-1, or J^T (J J^T)^-1 with more than six joints;
-//   otherwise the damped J^T (J J^T + psi I)^-1.
-// For a task with fewer components (core/control/task_mask.hpp) J stands for E J. E selects the components:
-// the leading three rows, or these and the angular ones along the tool's x and y axes.
+// The inverse J+ of the tool's Jacobian J. It is damped if the manipulability m = sqrt(det(J J^T)) is below a
+// threshold (equations 3 and 4 in NOTATION.md):
+//   - m at or above the threshold: J+ = J^-1 with six joints, and J+ = J^T (J J^T)^-1 with more.
+//   - m below the threshold: J+ = J^T (J J^T + psi I)^-1, where psi is the damping.
+// For a task with fewer components (core/control/task_mask.hpp) J stands for E J. The matrix E selects the
+// components of the task: the three linear ones, or these and the angular ones about the tool's x and y axes.
 
 #include "core/common/cholesky6.hpp"
 #include "core/common/lu6.hpp"
@@ -17,9 +17,9 @@ namespace armtune::internal {
 template <typename T>
 class TaskInverseT {
  public:
-  /// Factorises once for all right-hand sides of a control period. J is 6 x n. It is referred to, not copied.
-  /// With fewer joints than task components, J J^T is singular by shape: the inverse is then always damped
-  /// with all of psi, and m = sqrt(det(J^T J)). R_0T: orientation of the tool.
+  /// Factorises once for all right-hand sides of a control period. J (6 x n) is not copied and must remain
+  /// valid. With fewer joints than task components, J J^T is always singular. The inverse is then always
+  /// damped with the full psi, and m = sqrt(det(J^T J)). R_0T: orientation of the tool.
   void compute(const JacobianT<T>& J, const InverseDampingT<T>& damping, TaskMask mask = TaskMask::kPose,
                const Mat3T<T>& R_0T = Mat3T<T>::Identity()) {
     J_ = &J;
@@ -49,7 +49,8 @@ class TaskInverseT {
     if (some_damped_) damped_.compute(J_Jt(deficient ? damping.psi : damping.at(m)), rows);
   }
 
-  /// Computes x (n) = J+ b, the smallest of all x that give the task's components of b, if they can be given.
+  /// Computes x = J+ b (n). Without damping, x is the smallest vector for which J x equals b in the
+  /// components of the task.
   void apply(const Vec6T<T>& b, JointVectorT<T>& x) const {
     if (!is_square()) return transposed_times(*J_, multipliers(b), x);
     if (any(undamped_)) lu_.solve(b, x);

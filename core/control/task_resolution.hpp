@@ -1,15 +1,18 @@
 #pragma once
-// Computes the references of the joints from those of the tool (equation 2 in NOTATION.md):  qr' = J+ xr',
-// qr'' = J+ (xr'' - J' qr').
+// Computes the references of the joints from those of the tool (equation 2 in NOTATION.md):
+//   qr' = J+ xr',   qr'' = J+ (xr'' - J' qr').
 //
-// With more joints than task components, many joint motions fulfil the task. The references are the one of
-// them that is closest to a motion z, which draws the joints to the middle of their position limits
+// With more joints than task components, many joint motions fulfil the task. Of these motions, the references
+// are the one closest to a motion z that moves the joints towards the middle of their position limits
 // (Liegeois, Automatic supervisory control of the configuration and behavior of multibody mechanisms, 1977):
-//   qr' = z + J^T L,   L = (J J^T)^-1 (xr' - J z),   z = -k (q - middle)
-// and, as qr'' is the derivative of qr' along the motion,
+//   qr' = z + J^T L,   L = (J J^T)^-1 (xr' - J z),   z = -k (q - middle).
+// qr'' is the derivative of qr' along the motion:
 //   qr'' = y + J^T (J J^T)^-1 (xr'' - J' qr' - J y),   y = z' + J'^T L.
-// The components E J of a task (core/control/task_mask.hpp) turn with the tool. E' then adds J^T (0, w x L)
-// to y and subtracts (0, w x r) from xr'', where r = xr' - J qr' is the part that the task leaves.
+//
+// For a task with fewer components (task_mask.hpp), E J stands in place of J, where the matrix E selects the
+// components. If E turns with the tool, its derivative E' adds J^T (0, w x L) to y and subtracts (0, w x r)
+// from xr''. Here w is the tool's angular velocity, and r = xr' - J qr' is the part of xr' that is not in the
+// task.
 
 #include "core/control/cartesian_law.hpp"
 #include "core/control/joint_centering.hpp"
@@ -18,8 +21,8 @@
 
 namespace armtune::internal {
 
-/// Returns (0, w x L_angular), for a task whose components E turn with the tool. For multipliers L = E^T l it
-/// is E'^T l. For a motion L, E times the result is -E' L.
+/// Returns (0, w x L_angular), for a task whose matrix E turns with the tool at the angular velocity w. If L
+/// are multipliers, L = E^T l, the result is E'^T l. If L is a motion, E times the result is -E' L.
 template <typename T>
 Vec6T<T> turning(const Vec3T<T>& w, const Vec6T<T>& L) {
   Vec6T<T> turned = Vec6T<T>::Zero();
@@ -27,7 +30,8 @@ Vec6T<T> turning(const Vec3T<T>& w, const Vec6T<T>& L) {
   return turned;
 }
 
-/// Computes qr' (n) of a measured arm at q (n). Returns L, which resolve_acceleration needs.
+/// Computes the velocity qr' (n). rate: xr'. arm: after measure() at q (n). Returns L, which
+/// resolve_acceleration needs.
 template <typename T>
 Vec6T<T> resolve_velocity(const Vec6T<T>& rate, const MeasuredArmT<T>& arm,
                           const JointCenteringT<T>& centering, const JointVectorT<T>& q,
@@ -44,8 +48,8 @@ Vec6T<T> resolve_velocity(const Vec6T<T>& rate, const MeasuredArmT<T>& arm,
   return L;
 }
 
-/// Computes qr'' (n) of an arm that is measured and differentiated at q' (n). The reference already holds
-/// qr', and L is the one of qr'.
+/// Computes qr'' (n). x: xr' and xr''. arm: after measure() and differentiate() with the joint velocities qd
+/// (n). L: result of resolve_velocity. reference: already contains qr'.
 template <typename T>
 void resolve_acceleration(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm,
                           const JointCenteringT<T>& centering, const JointVectorT<T>& qd, const Vec6T<T>& L,
@@ -68,7 +72,7 @@ void resolve_acceleration(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm
   reference.acceleration += back;
 }
 
-/// Computes qr' and qr'' of an arm that is measured and differentiated at q, q' (n).
+/// Computes qr' and qr'' (n). arm: after measure() and differentiate() at q, qd (n).
 template <typename T>
 void resolve(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm, const JointCenteringT<T>& centering,
              const JointVectorT<T>& q, const JointVectorT<T>& qd, JointReferenceT<T>& reference) {

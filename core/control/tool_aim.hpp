@@ -1,6 +1,7 @@
 #pragma once
-// The aim of the tool: a target to point at, or a given orientation. The laws treat both as a turn from the
-// tool's present orientation, and the rates of that turn.
+// The aim of the tool: a target to point at, or a given orientation. For the control laws, both become the
+// turn from the tool's present orientation to the wanted one, with the angular velocity and acceleration of
+// the wanted orientation.
 
 #include "core/trajectory/gaze_motion.hpp"
 #include "core/trajectory/slerp.hpp"
@@ -10,26 +11,27 @@ namespace armtune::internal {
 struct ToolAim {
   MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of the gaze, base frame [m]
   const OrientationPoint* orientation = nullptr;                       ///< in place of a target
-  /// True if the turn about the tool's z axis is free, for an orientation as for a gaze.
+  /// True if only the z axis of `orientation` matters, so that the turn about it is free as in a gaze.
   bool axis_only = false;
 
-  /// Returns the rotation vector [rad, base frame] from the tool's orientation to the wanted one. For a gaze
-  /// or an axis it is the shortest turn.
+  /// Returns the rotation vector [rad, base frame] from the tool's orientation to the wanted one. For a
+  /// target, or if axis_only is true, it is the shortest turn of the tool's z axis.
   Vec3 turn(const Mat3& R_0T, const Vec3& p_0T) const {
     if (orientation == nullptr) return gaze_turn(R_0T, p_0T, target.position);
     if (axis_only) return gaze_turn(R_0T, Vec3::Zero(), orientation->orientation * Vec3::UnitZ());
     return rotation_log(orientation->orientation * Eigen::Quaterniond(R_0T).conjugate());
   }
 
-  /// Returns the turn rate of the wanted orientation, for a tool that moves as given.
+  /// Returns the turn rate of the wanted orientation. tool: motion of the tool, base frame.
   TurnRate rate(const MotionPoint<Vec3>& tool) const {
     if (orientation != nullptr && !axis_only)
       return {orientation->angular_velocity, orientation->angular_acceleration};
     return direction_rate(direction(tool));
   }
 
-  /// Returns `turn` from a fixed frame. For a complete orientation it is the rotation vector nearest to
-  /// `last`, its previous value: beyond half a turn there is a shorter way, and taking it would be a jump.
+  /// Returns `turn` from the fixed orientation R_0F. If an orientation is given and axis_only is false, it is
+  /// the rotation vector nearest to its previous value `last`. Without this, the vector would jump at half a
+  /// turn, because the opposite direction becomes shorter there.
   Vec3 turn_on(const Mat3& R_0F, const Vec3& p_0T, const Vec3& last) const {
     Vec3 phi = turn(R_0F, p_0T);
     if (orientation == nullptr || axis_only) return phi;

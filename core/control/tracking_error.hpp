@@ -1,6 +1,6 @@
 #pragma once
-// The error with which a tool tracks its desired motion. The controller computes it for the measured tool,
-// the simulation for the true one (metrics and recordings).
+// The error with which a tool tracks its desired motion. The controller computes it for the measured tool.
+// The simulation computes it for the true tool, for metrics and recordings.
 
 #include "core/control/axis_error.hpp"
 #include "core/control/control_output.hpp"
@@ -8,7 +8,8 @@
 
 namespace armtune::internal {
 
-/// Position [m] over orientation [rad], and their rates [m/s, rad/s], in the base frame.
+/// The errors of the tool: three of position [m], then three of orientation [rad], and their rates
+/// [m/s, rad/s], in the base frame.
 struct TrackingError {
   Vec6 pose = Vec6::Zero();
   Vec6 rate = Vec6::Zero();
@@ -17,8 +18,8 @@ struct TrackingError {
 /// Returns the error of a tool at R_0T and p_0T [m] with this twist [m/s, rad/s]. The position part is 0
 /// while the arm avoids obstacles, because no position is desired then.
 ///  desired: the controller's state and desired motions, in a state that tracks the tool
-///  turn: turn from the tool's orientation to its aim [rad]. It is the orientation error, except in a slerp,
-///        which has desired orientations of its own.
+///  turn: turn from the tool's orientation to its aim [rad]. Its negative is the orientation error, except
+///        during a slerp: the error is then relative to the slerp's desired orientation.
 inline TrackingError tracking_error(const Mat3& R_0T, const Vec3& p_0T, const Vec6& twist,
                                     const ControlOutput& desired, const Vec3& turn, TaskMask mask) {
   const bool turns_freely = mask == TaskMask::kPositionAndAxis;

@@ -1,11 +1,12 @@
 #pragma once
-// A velocity barrier for each joint: damping that grows as |q'| nears its limit. It acts against torques that
-// bypass the velocity reference, such as the repulsion of obstacles. With the variables
-// x = (|q'|/limit - start) / (1 - start) and h = 3 x^2 - 2 x^3, where h rises from 0 at the start to 1 at the
-// limit, it is
-//   tau_i <- tau_i - gain Kd_i h (|q'_i| - start limit_i) sign(q'_i).
-// A bypassing torque in the direction of motion is multiplied by 1 - h. The damping counts from the start of
-// the barrier, so that its slope stays below 1.7 gain Kd: a steeper one rings in a sampled loop.
+// A velocity barrier for each joint: damping that grows as |q'| approaches its limit. It acts against torques
+// that bypass the velocity reference, such as the repulsion of obstacles:
+//   tau_i <- tau_i - gain Kd_i h (|q'_i| - start limit_i) sign(q'_i),
+//   h = 3 x^2 - 2 x^3,   x = (|q'_i| / limit_i - start) / (1 - start).
+// h rises from 0 at |q'_i| = start limit_i, where the barrier begins, to 1 at the limit. A bypassing torque
+// in the direction of motion is multiplied by 1 - h. The damping acts only on the part of |q'_i| above
+// start limit_i. Its slope therefore stays below 1.7 gain Kd. With a steeper slope, the sampled control loop
+// would oscillate.
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,10 @@
 // The velocity governor. It slows the joint reference as a whole, so that the reference keeps its direction,
 // until every |qr'| is below its bound:
 //   qr'  <- sigma qr',   qr'' <- sigma^2 qr'' + sigma' qr',   sigma = f(r) / r,
-// where r is the p-norm of qr'_i / bound_i, which is never less than the largest of them. f(r) = r up to the
-// knee k, and k + (1 - k) tanh((r - k) / (1 - k)) < 1 beyond it. f is twice continuously differentiable, so
-// nothing chatters at the edge. sigma^2 scales the acceleration of a motion whose time runs at rate sigma.
+// where r is the p-norm of the ratios qr'_i / bound_i, which is at least the largest |qr'_i| / bound_i.
+// f(r) = r up to the knee k, and k + (1 - k) tanh((r - k) / (1 - k)) < 1 beyond it. f is twice continuously
+// differentiable, so that the reference does not chatter at the knee. The factor sigma^2 arises because the
+// time of the motion runs at the rate sigma.
 
 #include "core/control/joint_space_law.hpp"
 #include "core/control/task_inverse.hpp"
@@ -18,13 +19,14 @@ inline constexpr double kGovernorKnee = 0.8;
 /// (0, 1], the rate at which the time of interpolations may run.
 double govern(const JointVector& bound, JointReference& reference);
 
-/// Shortest time in which an interpolation takes a joint from rest to its bound [s]. Arms whose inertia
-/// differs from the model's overshoot faster ones.
+/// Shortest time in which an interpolation accelerates a joint from rest to its velocity bound [s]. With a
+/// shorter time, arms whose inertia differs from the model's would overshoot.
 inline constexpr double kRampTime = 0.1;
 
-/// Returns the time [s] that a rest-to-rest quintic over a displacement (linear [m], rotation vector [rad])
-/// needs so that no joint exceeds its bound (n) in velocity, or bound / kRampTime in acceleration, with the
-/// present Jacobian. The peaks of a quintic over the way w in the time T are 15/8 w/T and 10/sqrt(3) w/T^2.
+/// Returns the shortest time [s] in which a rest-to-rest quintic can move the tool over a displacement
+/// (linear [m], rotation vector [rad]). With the present Jacobian, no joint may then exceed its bound (n) in
+/// velocity, or bound / kRampTime in acceleration. For a distance w and a time T, the largest velocity of a
+/// quintic is 15/8 w/T, and its largest acceleration is 10/sqrt(3) w/T^2.
 double shortest_duration(const TaskInverse& inverse, const Vec6& displacement, const JointVector& bound);
 
 }  // namespace armtune::internal

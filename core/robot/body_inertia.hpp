@@ -1,10 +1,11 @@
 #pragma once
-// Tests whether an inertia is physically possible for a rigid body, and finds the nearest one that is. It
-// checks the inertias that a URDF gives for its links.
+// Tests whether a rigid body can have a given inertia, and finds the nearest inertia that a rigid body can
+// have. Both functions serve to check the inertias that a URDF gives for its links.
 //
-// The inertia I of a body about its centre of mass follows from the second moments of its mass,
-// S = integral of r r^T dm = tr(I)/2 1 - I. A body exists for every S without negative eigenvalues. In
-// principal moments this means: none is negative, and none is larger than the sum of the other two. See
+// The inertia I of a body about its centre of mass is related to the second moments S of its mass:
+//   S = integral of r r^T dm = tr(I)/2 1 - I.
+// A rigid body with the inertia I exists if and only if S has no negative eigenvalue. For the principal
+// moments of I this means that none is negative, and that none is larger than the sum of the other two. See
 // Wensing, Kim and Slotine, Linear matrix inequalities for physically consistent inertial parameter
 // identification, 2018.
 
@@ -15,12 +16,13 @@ namespace armtune::internal {
 /// Returns the principal moments about the centre of mass, in ascending order [kg m^2]. The mass is positive.
 Vec3 principal_moments(const LinkInertia& body);
 
-/// True if a rigid body can have this inertia. The tolerance is 1e-4 of the largest moment, since vendors
-/// round to five digits.
+/// True if a rigid body can have this inertia. The tolerance is 1e-4 of the largest principal moment, since
+/// vendors round to five digits.
 bool is_physical(const LinkInertia& body);
 
-/// Returns the body's mass and centre with the nearest inertia that a rigid body can have: nearest in the
-/// Frobenius norm of S, with at least a thousandth of the largest second moment along every axis.
+/// Returns the body with the nearest inertia that a rigid body can have; mass and centre of mass are kept.
+/// Nearest means the smallest change of S in the Frobenius norm. Every eigenvalue of the new S is at least a
+/// thousandth of the largest one.
 LinkInertia nearest_physical(const LinkInertia& body);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// The parameters of a serial chain of joints: geometry, inertia and friction, without names and limits.
-// Kinematics, dynamics and control laws compute with it. The scalar type T is double for one arm. With a SIMD
+// A serial chain of joints, described by its geometry, inertia and friction, without names and limits. The
+// kinematics, the dynamics and the control laws use it. The scalar type T is double for one arm. With a SIMD
 // type (common/pack.hpp) the same code computes several arms at once.
 
 #include <array>
@@ -36,7 +36,7 @@ struct ChainT {
   /// Radii of the links [m], for their distance from obstacles. If empty, the distance of the joints' origins
   /// is used instead.
   JointVectorT<T> link_radius;
-  Mat3T<T> R_BT = Mat3T<T>::Identity();  ///< tool frame in the last body frame
+  Mat3T<T> R_BT = Mat3T<T>::Identity();  ///< pose of the tool frame T in the last body frame
   Vec3T<T> p_BT = Vec3T<T>::Zero();
   Vec3T<T> gravity = Vec3T<T>(T(0), T(0), T(-9.81));  ///< in the base frame [m/s^2]
 };

@@ -1,7 +1,8 @@
 #pragma once
-// Inverse dynamics by the recursive Newton-Euler algorithm, gravity torque, and the mass matrix by the
-// composite rigid body algorithm. Featherstone, Rigid Body Dynamics Algorithms, sections 5.3 and 6.2. Here
-// they use 3-vectors in body frames, and the classical acceleration of the body frame's origin.
+// Computes the inverse dynamics by the recursive Newton-Euler algorithm, the gravity torque, and the mass
+// matrix by the composite rigid body algorithm (Featherstone, Rigid Body Dynamics Algorithms, sections 5.3
+// and 6.2). Instead of spatial vectors, this code uses 3-vectors in body frames, and the classical
+// acceleration of each body frame's origin.
 
 #include "core/robot/friction.hpp"
 #include "core/robot/kinematics.hpp"
@@ -9,12 +10,12 @@
 namespace armtune::internal {
 
 /// Computes tau = (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05)  [N m, N].
-/// q' and q'' (n) in rad/s, rad/s^2 (m for prismatic joints); poses from `forward_kinematics` at q.
+/// qd: q' (n) [rad/s, m/s]. qdd: q'' (n) [rad/s^2, m/s^2]. poses: from `forward_kinematics` at q.
 template <typename T>
 void inverse_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                       const JointVectorT<T>& qdd, JointVectorT<T>& tau) {
-  std::array<Vec3T<T>, kMaxJoints> f;  // force on the body's origin from its own motion, body frame
-  std::array<Vec3T<T>, kMaxJoints> t;  // moment about the body's origin
+  std::array<Vec3T<T>, kMaxJoints> f;  // force at the body's origin that its motion needs, body frame
+  std::array<Vec3T<T>, kMaxJoints> t;  // moment about the body's origin that its motion needs
   Vec3T<T> w = Vec3T<T>::Zero();
   Vec3T<T> w_dot = Vec3T<T>::Zero();
   Vec3T<T> a = -chain.gravity;  // acceleration of the origin minus gravity

@@ -13,15 +13,16 @@
 namespace armtune::internal {
 
 /// The workspace of `forward_dynamics`: intermediate results that its passes share, with the axes of the
-/// base. A twin is either the linear and angular motion of the body's origin, or force and moment about it.
+/// base. A twin holds either the linear and the angular motion of a body at its origin, or the force and the
+/// moment about that origin.
 template <typename T>
 struct ForwardDynamicsT {
-  std::array<Vec3T<T>, kMaxJoints> arm;  ///< from the previous body's origin to the body's
+  std::array<Vec3T<T>, kMaxJoints> arm;  ///< from the previous body's origin to this body's origin
   std::array<TwinVec3T<T>, kMaxJoints> velocity;
-  std::array<TwinVec3T<T>, kMaxJoints> turning;  ///< acceleration by the joint's own motion, without any q''
+  std::array<TwinVec3T<T>, kMaxJoints> turning;  ///< acceleration due to the joint's velocity, at q'' = 0
   std::array<TwinVec3T<T>, kMaxJoints> U;        ///< articulated inertia times the joint's axis
   std::array<T, kMaxJoints> inverse_d;           ///< 1 / (articulated inertia about the axis + rotor inertia)
-  std::array<T, kMaxJoints> u;                   ///< torque left for acceleration
+  std::array<T, kMaxJoints> u;                   ///< joint torque minus friction and bias force
   JointVectorT<T> coulomb;                       ///< tanh(q'/0.05)
 };
 using ForwardDynamics = ForwardDynamicsT<double>;
@@ -69,7 +70,8 @@ struct ArticulatedBodyT {
                                             : TwinVec3T<T>(M_I.first_times(z), B.transposed_times(z));
   }
 
-  /// Subtracts U U^T / d, the part of the inertia that the joint's free motion takes out. scaled: U / d.
+  /// Subtracts U U^T / d, the part of the inertia that is not felt through a joint that moves freely.
+  /// scaled: U / d.
   [[gnu::always_inline]] void subtract(const TwinVec3T<T>& scaled, const TwinVec3T<T>& U) {
     M_I.subtract_square(scaled, U);
     B.subtract_product(scaled.first(), U.second());
@@ -80,7 +82,7 @@ struct ArticulatedBodyT {
     bias += M_I * c + TwinVec3T<T>(B * c.second(), B.transposed_times(c.first()));
   }
 
-  /// Moves the body's origin to another point, from which the present origin is at p.
+  /// Moves the body's origin to another point. p: vector from that point to the present origin.
   [[gnu::always_inline]] void move_origin(const Vec3T<T>& p) {
     const SplitMat3T<T> C = B;
     // B' = B - M [p]: a row times [p] is that row cross p.
@@ -95,7 +97,8 @@ struct ArticulatedBodyT {
     B.bottom[0] -= yz * p[2] - zz * p[1];
     B.bottom[1] -= zz * p[0] - xz * p[2];
     B.bottom[2] -= xz * p[1] - yz * p[0];
-    // [p] B - B'^T [p], which is symmetric: its entry (i, j) is (p x B_j)_i + (p x B'_i)_j, of columns.
+    // Add [p] B - B'^T [p], which is symmetric. Its entry (i, j) is (p x B_j)_i + (p x B'_i)_j, where B_j is
+    // column j of B.
     const SplitMat3T<T>& D = B;
     M_I.xx.add_second(p[1] * (C(2, 0) + D(2, 0)) - p[2] * (C(1, 0) + D(1, 0)));
     M_I.xy.add_second(p[2] * C(0, 0) - p[0] * C(2, 0) + (p[1] * D(2, 1) - p[2] * D(1, 1)));
@@ -118,7 +121,7 @@ void body_velocities(const ChainT<T>& chain, const PosesT<T>& poses, const Joint
     s.arm[k] = poses.p_0B[k] - origin;
     origin = poses.p_0B[k];
     V.add_first(V.second().cross(s.arm[k]));
-    // The joint's own turning accelerates the body by (v x z q', w x z q') without any q''.
+    // The turning of a revolute joint accelerates the body by (v x z q', w x z q'), even if q'' is zero.
     const Vec3T<T> along = poses.R_0B[k].col(2) * qd[i];
     if (chain.motion[k] == JointMotion::kRevolute) {
       s.turning[k] = V.cross(TwinVec3T<T>::both(along));
@@ -160,7 +163,8 @@ void articulated_bodies(const ChainT<T>& chain, const PosesT<T>& poses, const Jo
   }
 }
 
-/// Computes the joint accelerations, from the base outwards. Gravity is an acceleration of the base.
+/// Computes the joint accelerations, from the base outwards. Gravity enters as an upward acceleration of the
+/// base.
 template <typename T>
 void joint_accelerations(const ChainT<T>& chain, const PosesT<T>& poses, const ForwardDynamicsT<T>& s,
                          JointVectorT<T>& qdd) {
@@ -181,9 +185,10 @@ void joint_accelerations(const ChainT<T>& chain, const PosesT<T>& poses, const F
   }
 }
 
-/// Computes q'' (n) of (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05) = torque. q', torque (n) in rad/s
-/// (m/s) and N m (N); poses: `body_poses` at q is enough. Singular only if a joint moves no inertia at all.
-/// friction: FrictionStep for an evaluation within a step of integration, InstantFriction for q'' itself.
+/// Computes q'' (n) [rad/s^2, m/s^2] from  (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05) = torque.
+/// qd: q' (n) [rad/s, m/s]. torque (n) [N m, N]. poses: `body_poses` at q is enough. friction: FrictionStep
+/// within a step of the integration, InstantFriction for q'' at one instant. The equation is singular only if
+/// a joint moves no inertia at all.
 template <typename T, typename Friction>
 void forward_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                       const JointVectorT<T>& torque, const Friction& friction, ForwardDynamicsT<T>& s,

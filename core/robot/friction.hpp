@@ -10,19 +10,19 @@
 
 namespace armtune::internal {
 
-/// Velocity scale of tanh, which replaces the sign function [rad/s, m/s].
+/// Velocity scale of the tanh that replaces the sign function [rad/s, m/s].
 inline constexpr double kCoulombVelocity = 0.05;
 
-/// Returns the direction of Coulomb friction at velocity qd, tanh(q' / 0.05). It needs one exponential, and
-/// its absolute error is about 1e-16. The standard library's tanh is also accurate relative to results near
-/// zero, but takes three times as long.
+/// Returns the direction of Coulomb friction at the velocity qd = q': tanh(q' / 0.05). It needs one
+/// exponential, and its absolute error is about 1e-16. Near zero, the standard library's tanh has a smaller
+/// relative error, but it takes three times as long.
 template <typename T>
 T coulomb_direction(const T& qd) {
   using std::exp;
   return T(1) - T(2) / (T(1) + exp(qd * T(2.0 / kCoulombVelocity)));
 }
 
-/// Returns the same for two joints at once.
+/// Returns the directions of two joints at once.
 inline vector_math::Double2 coulomb_direction(const vector_math::Double2& qd) {
   return 1.0 - 2.0 / (1.0 + vector_math::exponential(qd * (2.0 / kCoulombVelocity)));
 }
@@ -30,7 +30,7 @@ inline double coulomb_direction(double qd) {
   return coulomb_direction(vector_math::Double2{qd, qd})[0];
 }
 
-/// Computes the same for all joints (n).
+/// Computes the directions of all joints (n).
 template <typename T>
 void coulomb_directions(const JointVectorT<T>& qd, JointVectorT<T>& directions) {
   directions.resize(qd.size());
@@ -47,8 +47,8 @@ inline void coulomb_directions(const JointVector& qd, JointVector& directions) {
   if (n % 2 == 1) directions[n - 1] = coulomb_direction(qd[n - 1]);
 }
 
-/// Computes the same, but zero if no joint has Coulomb friction (coefficients, n): the directions then have
-/// no effect.
+/// Computes the directions of all joints (n). If no joint has Coulomb friction, they have no effect and are
+/// set to zero. coefficients: Coulomb friction of the joints (n).
 template <typename T>
 void coulomb_directions(const JointVectorT<T>& qd, const JointVectorT<T>& coefficients,
                         JointVectorT<T>& directions) {

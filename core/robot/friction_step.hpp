@@ -50,12 +50,14 @@ struct InstantFriction {
 template <typename T>
 class FrictionStep {
  public:
-  /// h [s]; start: q' (n) at the beginning of the step, which must outlive this.
+  /// h: length of the step [s]. start: q' (n) at the beginning of the step; this vector must outlive the
+  /// object.
   FrictionStep(const T& h, const JointVectorT<T>& start) : h_(h), rate_(T(2.0) / h), start_(start) {}
 
   /// Returns the terms of the friction of joint i at its velocity qd. inertia: d, the inertia that the joint
   /// moves while the joints after it are free and those before it are held, including its rotor. This is the
-  /// articulated inertia, and the pivot of M + D if that is eliminated from the last joint on.
+  /// articulated inertia. It is also the pivot of joint i if M + D is factorised from the last joint to the
+  /// first.
   AddedByFriction<T> added(const ChainT<T>& chain, Eigen::Index i, const T& qd, const T& inertia) const {
     using std::abs;
     const T speed = abs(qd);
@@ -63,15 +65,15 @@ class FrictionStep {
     const T c =
         chain.viscous_friction[i] + chain.coulomb_friction[i] / select(speed > slowest, speed, slowest);
     const T hc = h_ * c;
-    // Friction is not stiff up to `least`. While the joints before it give way as well, the joint moves less
-    // than d, but no less than its rotor. Between parallel axes of equal rods d shrinks by 5 (two rods) to
-    // 16 (four) to 33 (seven) where friction acts on all of them.
+    // Friction counts as stiff if h c exceeds `least`. If the joints before joint i move too, joint i moves
+    // less inertia than d, but no less than its rotor. In a chain of equal rods with parallel axes and
+    // friction in every joint, this inertia is d divided by 5 (two rods), 16 (four rods) or 33 (seven rods).
     const T rotor = T(kOfRotor) * chain.rotor_inertia[i];
     const T share = T(kOfInertia) * inertia;
     const T coupled = select(share > rotor, share, rotor);
     const T alone = T(0.5) * inertia;
     const T least = select(coupled > alone, alone, coupled);
-    // G is 0 up to h c = least, h c / 2 from twice that on, and continuous.
+    // G is 0 up to h c = least, and h c / 2 from h c = 2 least on. In between it rises without a jump.
     const T half = T(0.5) * hc;
     const T excess = select(hc > least, hc - least, T(0.0));
     const T G = select(excess > half, half, excess);
@@ -87,9 +89,10 @@ class FrictionStep {
   }
 
  private:
-  /// Stiffness bound h c as a factor on the rotor inertia. An explicit step is stable up to 2.
+  /// Value of h c above which friction counts as stiff, as a factor on the rotor inertia. An explicit step is
+  /// stable up to 2.
   static constexpr double kOfRotor = 1.75;
-  /// Stiffness bound h c as a factor on d. Derived above: 2 / 33.
+  /// The same value as a factor on d. It follows from the 33 of seven rods in `added`: about 2 / 33.
   static constexpr double kOfInertia = 1.0 / 16.0;
 
   T h_, rate_;

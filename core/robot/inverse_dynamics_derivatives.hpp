@@ -14,8 +14,8 @@ namespace armtune::internal {
 template <typename T>
 struct InverseDynamicsDerivativesT {
   JointVectorT<T> tau;     ///< [N m, N]
-  JointMatrixT<T> by_q;    ///< [per rad, m]
-  JointMatrixT<T> by_qd;   ///< [per rad/s, m/s]
+  JointMatrixT<T> by_q;    ///< [unit of tau per rad or m]
+  JointMatrixT<T> by_qd;   ///< [unit of tau per rad/s or m/s]
   JointMatrixT<T> by_qdd;  ///< M + D
 };
 using InverseDynamicsDerivatives = InverseDynamicsDerivativesT<double>;
@@ -32,7 +32,7 @@ Mat3T<T> skew(const Vec3T<T>& a) {
   return S;
 }
 
-/// Returns v x m of motion vectors.
+/// Returns the spatial cross product v x m of two motion vectors.
 template <typename T>
 Vec6T<T> cross(const Vec6T<T>& v, const Vec6T<T>& m) {
   const Vec3T<T> w = v.template head<3>();
@@ -43,7 +43,7 @@ Vec6T<T> cross(const Vec6T<T>& v, const Vec6T<T>& m) {
   return result;
 }
 
-/// Returns v x* f of a motion and a force vector (moment, force).
+/// Returns the spatial cross product v x* f of a motion vector v and a force vector f = (moment, force).
 template <typename T>
 Vec6T<T> cross_force(const Vec6T<T>& v, const Vec6T<T>& f) {
   const Vec3T<T> w = v.template head<3>();
@@ -54,7 +54,7 @@ Vec6T<T> cross_force(const Vec6T<T>& v, const Vec6T<T>& f) {
   return result;
 }
 
-/// Returns the inertia of a body about the base frame's origin. R_0B, p_0B: pose of the body.
+/// Returns the spatial inertia of a body about the base frame's origin. R_0B, p_0B: pose of the body.
 template <typename T>
 Matrix<T> inertia(const LinkInertiaT<T>& link, const Mat3T<T>& R_0B, const Vec3T<T>& p_0B) {
   const Vec3T<T> h = R_0B * link.first_moment;
@@ -69,8 +69,8 @@ Matrix<T> inertia(const LinkInertiaT<T>& link, const Mat3T<T>& R_0B, const Vec3T
   return I;
 }
 
-/// Returns 2 B(I, v) = (v x*) I - I (v x) + (I v) x*-bar. It maps a joint's motion to the change of the
-/// velocity products of the bodies beyond it.
+/// Returns 2 B(I, v) = (v x*) I - I (v x) + (I v) x*-bar, where (f x*-bar) m = m x* f for every motion vector
+/// m. B maps the motion of a joint to the change of the velocity-product forces on the bodies beyond it.
 template <typename T>
 Matrix<T> twice_B(const Matrix<T>& I, const Vec6T<T>& v) {
   const Mat3T<T> W = skew<T>(v.template head<3>());
@@ -89,16 +89,16 @@ Matrix<T> twice_B(const Matrix<T>& I, const Vec6T<T>& v) {
 
 }  // namespace spatial
 
-/// Computes tau and its derivatives. q', q'' (n) [rad, m and per s, s^2]; poses from `forward_kinematics` at
-/// q.
+/// Computes tau and its derivatives. qd: q' (n) [rad/s, m/s]. qdd: q'' (n) [rad/s^2, m/s^2]. poses: from
+/// `forward_kinematics` at q.
 template <typename T>
 void inverse_dynamics_derivatives(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                                   const JointVectorT<T>& qdd, InverseDynamicsDerivativesT<T>& out) {
   const int n = chain.n;
-  std::array<Vec6T<T>, kMaxJoints> S;         // motion of joint i
-  std::array<Vec6T<T>, kMaxJoints> S_rate;    // v_parent x S: along q, the velocity's change
+  std::array<Vec6T<T>, kMaxJoints> S;         // motion of joint i at unit velocity
+  std::array<Vec6T<T>, kMaxJoints> S_rate;    // v_parent x S: change of the velocity along q
   std::array<Vec6T<T>, kMaxJoints> S_rate_2;  // a_parent x S + v_parent x (v_parent x S)
-  std::array<Vec6T<T>, kMaxJoints> f;         // force on the body, then on all bodies beyond as well
+  std::array<Vec6T<T>, kMaxJoints> f;         // force on the body; later also on all bodies beyond it
   std::array<spatial::Matrix<T>, kMaxJoints> I;
   std::array<spatial::Matrix<T>, kMaxJoints> B2;
   Vec6T<T> v = Vec6T<T>::Zero();
@@ -126,12 +126,12 @@ void inverse_dynamics_derivatives(const ChainT<T>& chain, const PosesT<T>& poses
   out.by_qdd.resize(n, n);
   for (int i = n - 1; i >= 0; --i) {
     const auto k = static_cast<std::size_t>(i);
-    // Change of the forces beyond joint i along its motion ...
+    // Change of the forces on the bodies beyond joint i, along the motion of joint i.
     const Vec6T<T> own_rate = Vec6T<T>(T(2) * S_rate[k]);  // v_i x S_i = v_parent x S_i
     const Vec6T<T> along_q = B2[k] * S_rate[k] + I[k] * S_rate_2[k] + spatial::cross_force<T>(S[k], f[k]);
     const Vec6T<T> along_qd = B2[k] * S[k] + I[k] * own_rate;
     const Vec6T<T> along_qdd = I[k] * S[k];
-    // ... and the same matrices from the left, for the torque of joint i along the joints before it.
+    // The same matrix, multiplied from the left: change of joint i's torque along the joints before it.
     const Vec6T<T> left_B = B2[k].transpose() * S[k];
     out.tau[i] = S[k].dot(f[k]) + chain.rotor_inertia[i] * qdd[i] + chain.viscous_friction[i] * qd[i] +
                  chain.coulomb_friction[i] * coulomb_direction(qd[i]);

@@ -1,6 +1,7 @@
 #pragma once
-// Forward kinematics of every joint, and the geometric Jacobian at the tool with its exact time derivative.
-// Siciliano et al., Robotics: Modelling, Planning and Control, chapters 2 and 3. Frame 0 is the base.
+// Computes the forward kinematics of every joint, and the geometric Jacobian of the tool with its exact time
+// derivative (Siciliano et al., Robotics: Modelling, Planning and Control, chapters 2 and 3). Frame 0 is the
+// base.
 
 #include "core/common/joint_math.hpp"
 #include "core/common/products.hpp"
@@ -14,16 +15,17 @@ namespace armtune::internal {
 template <typename T>
 struct PosesT {
   int n = 0;
-  std::array<Mat3T<T>, kMaxJoints> R_PB{};  ///< body in the previous body
+  std::array<Mat3T<T>, kMaxJoints> R_PB{};  ///< pose of each body in the previous body's frame
   std::array<Vec3T<T>, kMaxJoints> p_PB{};
-  std::array<Mat3T<T>, kMaxJoints> R_0B{};  ///< body in the base
-  std::array<Vec3T<T>, kMaxJoints> p_0B{};  ///< joint origins in the base [m]
-  Mat3T<T> R_0T = Mat3T<T>::Identity();     ///< tool in the base
+  std::array<Mat3T<T>, kMaxJoints> R_0B{};  ///< orientation of each body in the base frame
+  std::array<Vec3T<T>, kMaxJoints> p_0B{};  ///< joint origins in the base frame [m]
+  Mat3T<T> R_0T = Mat3T<T>::Identity();     ///< pose of the tool in the base frame
   Vec3T<T> p_0T = Vec3T<T>::Zero();
 };
 using Poses = PosesT<double>;
 
-/// Computes the pose of every body in the previous one at q (n) [rad, m]. The rest of `poses` is unchanged.
+/// Computes the pose of every body in the previous body's frame at q (n) [rad, m]. The other members of
+/// `poses` do not change.
 template <typename T>
 void relative_poses(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
   JointVectorT<T> sines;
@@ -100,8 +102,9 @@ void tool_jacobian(const ChainT<T>& chain, const PosesT<T>& poses, JacobianT<T>&
   point_jacobian(chain, poses, chain.n - 1, poses.p_0T, J);
 }
 
-/// Computes the exact J' (6 x n) along q', with twist = J q'. Its columns are d/dt (z x (p_T - p_i), z) with
-/// z' = w x z.
+/// Computes the exact time derivative J' (6 x n) of the tool's Jacobian at the joint velocities qd = q'.
+/// twist: J q'. The column of a revolute joint i is d/dt (z x (p_T - p_i), z). There z' = w x z, where w is
+/// the angular velocity of the body before the joint.
 template <typename T>
 void tool_jacobian_derivative(const ChainT<T>& chain, const PosesT<T>& poses, const Vec6T<T>& twist,
                               const JointVectorT<T>& qd, JacobianT<T>& J_dot) {

@@ -8,14 +8,15 @@ namespace armtune::internal {
 
 /// Returns the radius [m] of each link (n), from its simple collision shapes or, if it has none, its simple
 /// visual shapes. It is the largest radius of the link's cylinders, capsules and spheres. A box counts with
-/// half the diagonal of its cross-section perpendicular to its longest edge. The radius is NaN if there is
-/// no such shape, for example only meshes. The position of a shape is ignored: a shape beside the straight
-/// line between the joints' origins sticks out of the capsule around that line.
+/// half the diagonal of its cross-section perpendicular to its longest edge. The radius is NaN if the link
+/// has no such shape, for example only meshes. The position of a shape is ignored: a shape beside the
+/// straight line between the joints' origins sticks out of the capsule around that line.
 JointVector shape_radii(const RobotModel& model);
 
-/// Returns the same arm with capsules around its links, for its distance from obstacles. Each runs straight
-/// from a joint's origin to the next one's, the last one to the tool's, and is as thick as model.link_radii.
-/// Throws InputError naming the links whose radius is not known.
+/// Returns the same arm with capsules around its links, from which the distance of obstacles is measured. The
+/// axis of a capsule is the straight line from a joint's origin to the next joint's origin, or to the tool's
+/// origin for the last link. The radii of the capsules are model.link_radii. Throws InputError naming the
+/// links whose radius is not known.
 RobotModel with_link_surfaces(const RobotModel& model);
 
 }  // namespace armtune::internal

@@ -1,10 +1,12 @@
 #pragma once
-// The condition for physically possible parameters theta (theta.hpp), and the projection onto it. The
-// adaptive control law can keep its estimate of theta possible with it. The pseudo-inertia of every link,
+// Moves parameters theta (theta.hpp) to the nearest ones that are physically possible. The adaptive control
+// law can use this to keep its estimate of theta possible. The condition is that the pseudo-inertia P of
+// every link is positive semi-definite,
 //   P = [Sigma h; h^T m],   Sigma = tr(I)/2 1 - I,   h = m c,
-// must be positive semi-definite. This holds exactly if some distribution of mass has these ten parameters
-// (Wensing, Kim and Slotine, Linear matrix inequalities for physically consistent inertial parameter
-// identification, 2018). Rotor inertia and friction must not be negative.
+// with the link's mass m, centre of mass c, and inertia I about the origin of its frame. A distribution of
+// mass with these ten parameters exists if and only if the condition holds (Wensing, Kim and Slotine, Linear
+// matrix inequalities for physically consistent inertial parameter identification, 2018). Rotor inertia and
+// friction must not be negative.
 
 #include "core/robot/theta.hpp"
 
@@ -16,9 +18,9 @@ using PseudoInertia = Eigen::Matrix4d;
 PseudoInertia pseudo_inertia(const Eigen::Matrix<double, kLinkParameters, 1>& link);
 Eigen::Matrix<double, kLinkParameters, 1> link_parameters(const PseudoInertia& P);
 
-/// Moves theta (13 n) to the nearest physically valid one, nearest in the Frobenius norm of each P. A link
-/// whose P is positive definite stays bit-identical. One at the edge, such as a point mass, stays the same
-/// within rounding. Allocates nothing.
+/// Changes theta (13 n) to the nearest physically valid one. Nearest means the smallest change of each P in
+/// the Frobenius norm. The parameters of a link whose P is positive definite stay bit-identical. If P is only
+/// semi-definite, as for a point mass, they stay the same within rounding. Allocates nothing.
 void project_to_physical(ParameterVector& theta);
 
 }  // namespace armtune::internal

@@ -17,7 +17,7 @@ struct JointLimits {
   double upper = 0.0;
   double velocity = 0.0;  ///< largest |q'| [rad/s, m/s]
   double effort = 0.0;    ///< largest |tau| [N m, N]
-  bool soft = false;      ///< lower or upper is that of the URDF's safety controller
+  bool soft = false;      ///< true if lower or upper is a limit of the URDF's safety controller
 };
 
 struct JointInfo {
@@ -34,19 +34,20 @@ struct RobotModel {
   std::string base_link;
   std::string tip_link;  ///< the link in which the tool frame is given
   std::vector<JointInfo> joints;
-  std::vector<Shape> shapes;  ///< of all links, for drawing; may be empty
-  JointVector link_radii;     ///< of each joint's link [m], NaN if not known; empty: none is known
+  std::vector<Shape> shapes;  ///< visual and collision shapes of all links; may be empty
+  JointVector link_radii;     ///< radius of each joint's link [m], NaN if not known; empty: none is known
   std::vector<std::string>
       estimated_rotors;  ///< joints whose rotor inertia is an estimate (rotor_estimate.hpp)
   /// True if the robot itself adds the torque that holds its weight to the commands of a controller without a
   /// gravity model (joint_trajectory_law.hpp). That torque still counts towards the effort limits.
   bool compensates_gravity = false;
-  /// Gains of drives with velocity commands (velocity_drive.hpp), (n); empty: not known.
+  /// Gains of the joints' drives, n each, for velocity commands (velocity_drive.hpp). Empty: not known.
   JointVector drive_velocity_gain, drive_velocity_integral;
   Chain chain;
 
   int n() const { return chain.n; }
-  /// Returns the index of a joint by name. Throws InputError that lists the joints if there is none.
+  /// Returns the index of a joint by name. If no joint has this name, it throws InputError that lists all
+  /// joints.
   int joint_index(const std::string& joint) const;
   JointVector velocity_limits() const;
   JointVector effort_limits() const;
@@ -66,13 +67,13 @@ std::vector<std::string> joint_names(const RobotModel& model);
 /// `elbow_joint/rotor_inertia`, `.../viscous_friction`, `.../coulomb_friction`.
 std::vector<std::string> theta_names(const RobotModel& model);
 
-/// Returns an upper bound of the distance from the first joint's origin to the tool's [m]. It is the sum of
-/// the distances between successive joint origins and to the tool, plus the largest displacement of each
-/// prismatic joint from zero. The place of the arm's base does not count.
+/// Returns an upper bound of the distance from the first joint's origin to the tool's origin [m]. The bound
+/// is the length of the line through all joint origins to the tool, plus the largest displacement of each
+/// prismatic joint from zero. The distance from the base frame to the first joint is not included.
 double reach(const RobotModel& model);
 
 /// Returns the inertia of a body with frame B, about the origin of frame A and in A's axes. R_AB, p_AB [m]:
-/// pose of B in A. Inertias in the same frame add up entry by entry.
+/// pose of B in A. Inertias in the same frame can be added entry by entry.
 LinkInertia in_frame(const LinkInertia& body_B, const Mat3& R_AB, const Vec3& p_AB);
 
 /// A point mass held at the tool: mass [kg] with its centre at `center` [m] in the tool frame.

@@ -36,14 +36,14 @@ struct Shape {
   int body = -1;           ///< index of the joint that moves it; -1: the base
   int link = 0;            ///< number of its link; a body may have several links
   std::string link_name;   ///< name of that link, or "tool"
-  bool collision = false;  ///< part of the link's collision geometry, not of its visual geometry
+  bool collision = false;  ///< true: part of the collision geometry; false: of the visual geometry
   ShapeKind kind = ShapeKind::kSphere;
-  Mat3 R_BS = Mat3::Identity();  ///< shape in the body frame B (see chain.hpp); lengths lie along its z
+  Mat3 R_BS = Mat3::Identity();  ///< orientation in the body frame B (chain.hpp); lengths lie along z of S
   Vec3 p_BS = Vec3::Zero();      ///< its centre, or the origin of a mesh [m]
   /// Box: edges; cylinder and capsule: radius, length (a capsule's without its caps), 0; sphere: radius, 0, 0
   /// [m]. Mesh: scale factors of its coordinates.
   Vec3 size = Vec3::Zero();
-  std::string file;  ///< of a mesh, as named in the URDF
+  std::string file;  ///< file of a mesh, as named in the URDF
 };
 
 }  // namespace armtune::internal

@@ -1,17 +1,20 @@
 #pragma once
-// The Slotine-Li regressor Y: Y(q, q', qr', qr'') theta = (M + D) qr'' + C(q, q') qr' + g + friction(q'),
-// where D is the diagonal matrix of the rotors' inertia, and C the factor for which dM/dt - 2C is skew.
-// Control laws compute the torque Y theta of their arm model with it. Adaptation and identification estimate
-// theta (theta.hpp) with it. Sources: Slotine and Li, On the adaptive control of robot manipulators, 1987.
-// The recursion is that of Niemeyer and Slotine, Performance in adaptive manipulator control, 1991.
+// The Slotine-Li regressor Y of an arm:
+//   Y(q, q', qr', qr'') theta = (M + D) qr'' + C(q, q') qr' + g + friction(q').
+// D is the diagonal matrix of the rotors' inertia, and C the Coriolis matrix for which dM/dt - 2C is
+// skew-symmetric. Control laws use Y for the torque Y theta of their arm model. Adaptation and identification
+// use it to estimate theta (theta.hpp). Sources: Slotine and Li, On the adaptive control of robot
+// manipulators, 1987. The recursion is that of Niemeyer and Slotine, Performance in adaptive manipulator
+// control, 1991.
 //
-// In spatial notation (Featherstone), with capital letters for spatial vectors, the force on one body is
-//   F = I (Ar - V x Vr / 2) + V x* (I Vr) / 2 + Vr x* (I V) / 2,   with Ar_i = X Ar + S qr'' + V_i x S qr'.
-// The code multiplies it out in 3-vectors: V = (v, w) and Vr = (vr, wr), each linear and angular,
+// In spatial notation (Featherstone), with capital letters for spatial vectors, the force on body i is
+//   F = I (Ar - V x Vr / 2) + V x* (I Vr) / 2 + Vr x* (I V) / 2,   with Ar_i = X Ar + S qr'' + V_i x S qr',
+// where X transforms from the previous body's frame, and S is the motion of joint i at unit velocity. The
+// code multiplies this out in 3-vectors, each pair linear and angular: V = (v, w), Vr = (vr, wr),
 // Ar = (ar, br), F = (f, t). A body has the mass m, the first moment h and the rotational inertia I about its
-// frame. With
+// frame's origin. With
 //   e = ar + wr x v,     a = br - w x wr / 2,
-// the terms with h collapse by Jacobi's identity to
+// the terms with h are simplified by Jacobi's identity, and the force is
 //   f = m e + a x h + (w x (wr x h) + wr x (w x h)) / 2
 //   t = h x e + I a + (w x (I wr) + wr x (I w)) / 2.
 
@@ -37,8 +40,8 @@ struct SlotineLiT {
 };
 using SlotineLi = SlotineLiT<double>;
 
-/// Computes the motion of all bodies, from the base outwards. qd: q' measured; qdr, qddr: references (n
-/// each).
+/// Computes the motion of all bodies, from the base outwards. qd: measured q'; qdr, qddr: references qr' and
+/// qr'' (n each).
 template <typename T>
 void slotine_li_forward(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                         const JointVectorT<T>& qdr, const JointVectorT<T>& qddr, SlotineLiT<T>& s) {
@@ -107,7 +110,7 @@ void slotine_li_torque(const ChainT<T>& chain, const PosesT<T>& poses, const Slo
     const Vec3T<T> wr = s.reference[k].second();
     // (m e + a x h, I a + h x e)
     F += m_I * E + TwinVec3T<T>(E.second(), h).cross(TwinVec3T<T>(h, E.first()));
-    // w x (wr x h) + wr x (w x h), w x (I wr) + wr x (I w): the twins are w and wr first.
+    // w x (wr x h) + wr x (w x h), w x (I wr) + wr x (I w). W holds w first, and W_r holds wr first.
     const TwinVec3T<T> W(w, wr);
     const TwinVec3T<T> W_r(wr, w);
     const TwinVec3T<T> forces = W.cross(W_r.cross(TwinVec3T<T>::both(h)));
@@ -121,8 +124,8 @@ void slotine_li_torque(const ChainT<T>& chain, const PosesT<T>& poses, const Slo
   }
 }
 
-/// Returns the derivatives of body k's power (x_v . f + x_w . t) by its ten parameters, for a virtual body
-/// motion x.
+/// Returns the derivatives of body k's power (x_v . f + x_w . t) by its ten parameters, for a virtual motion
+/// of the body with the linear velocity x_v and the angular velocity x_w.
 template <typename T>
 Eigen::Matrix<T, kLinkParameters, 1> link_power_gradient(const SlotineLiT<T>& s, std::size_t k,
                                                          const Vec3T<T>& x_v, const Vec3T<T>& x_w) {
@@ -143,8 +146,8 @@ Eigen::Matrix<T, kLinkParameters, 1> link_power_gradient(const SlotineLiT<T>& s,
   return gradient;
 }
 
-/// Computes Y^T S (13 n) with the Y of one motion and the S = q' - qr' of another, both at the same q. The
-/// body motions of S are v - vr, so no further recursion is needed.
+/// Computes Y^T S (13 n). Y belongs to the motion `along`, and S = q' - qr' to the motion `s`; q is the same
+/// for both. The body velocities for the joint velocities S are v - vr, so no further recursion is needed.
 template <typename T>
 void slotine_li_gradient(const SlotineLiT<T>& along, const SlotineLiT<T>& s, ParameterVectorT<T>& gradient) {
   gradient.resize(s.n * (kLinkParameters + kJointParameters));
@@ -159,7 +162,7 @@ void slotine_li_gradient(const SlotineLiT<T>& along, const SlotineLiT<T>& s, Par
   }
 }
 
-/// Computes Y^T S (13 n) of one motion.
+/// Computes Y^T S (13 n), where both Y and S belong to the motion `s`.
 template <typename T>
 void slotine_li_gradient(const SlotineLiT<T>& s, ParameterVectorT<T>& gradient) {
   slotine_li_gradient(s, s, gradient);

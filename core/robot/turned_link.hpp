@@ -1,6 +1,6 @@
 #pragma once
-// Rotates the inertia of a link into the axes of another frame, about the same origin. Forward dynamics need
-// the inertia of every link with the axes of the base.
+// Expresses the inertia of a link in the axes of another frame, about the same origin. The forward dynamics
+// need the inertia of every link in the axes of the base.
 
 #include "core/robot/chain.hpp"
 #include "core/robot/twin_vectors.hpp"
@@ -19,7 +19,8 @@ struct TurnedLinkT {
   }
 };
 
-/// Returns (m, R h, R I R^T). The upper two rows of R are computed together as a twin.
+/// Returns (m, R h, R I R^T). R: orientation of the link's frame in the other frame. The code uses the upper
+/// two rows of R together, as a twin.
 template <typename T>
 [[gnu::always_inline]] inline TurnedLinkT<T> turned(const LinkInertiaT<T>& link, const Mat3T<T>& R) {
   const Mat3T<T>& I = link.inertia;

@@ -45,7 +45,7 @@ struct TwinVec3T {
   }
   /// Returns both dot products.
   Twin<T> dot(const TwinVec3T& b) const { return x * b.x + y * b.y + z * b.z; }
-  /// Returns both cross products with z.
+  /// Returns v x z of both vectors v, where z is the unit vector along z.
   TwinVec3T cross_axis() const { return {y, -x, Twin<T>::both(T(0))}; }
 };
 

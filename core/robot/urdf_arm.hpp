@@ -10,9 +10,9 @@
 
 namespace armtune::internal {
 
-/// Builds the model of the arm. Throws InputError with a message that begins with `source`. If `missing` is
-/// given, data that neither file nor options give are collected there, instead of throwing. The model then
-/// has placeholders of 1 in their place and must not be simulated.
+/// Builds the model of the arm. Throws InputError with a message that begins with `source`. With `missing`,
+/// it does not throw for data that neither the file nor the options give. It lists these data in `missing`,
+/// and puts placeholders of 1 into the model, which must then not be simulated.
 RobotModel build_arm(const UrdfTree& tree, const UrdfOptions& options, const std::string& source,
                      MissingData* missing = nullptr);
 

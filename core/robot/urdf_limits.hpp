@@ -1,6 +1,6 @@
 #pragma once
-// The position, velocity and effort limits of a joint. They come from the URDF. The options for reading it
-// can replace them, or add limits that the file lacks.
+// Finds the position, velocity and effort limits of a joint. They come from the URDF. The options for reading
+// the URDF can replace them, or add limits that the file lacks.
 
 #include <string>
 
@@ -9,14 +9,15 @@
 
 namespace armtune::internal {
 
-/// Returns the joint's limits; those of the options replace those of the file. If `missing` is given, missing
-/// limits are added to it and replaced by 1 (positions: -1 to 1) [rad, m, rad/s, m/s, N m, N]. Otherwise,
-/// missing position limits throw InputError with a message that begins with `source`.
+/// Returns the joint's limits [rad, m, rad/s, m/s, N m, N]; those of the options replace those of the file.
+/// With `missing`, the joint is added there for each limit that it lacks, and the limit becomes 1 (for
+/// positions: -1 to 1). Without `missing`, it throws InputError if position limits are missing; the message
+/// begins with `source`.
 JointLimits limits_of(const UrdfJoint& joint, const UrdfOptions& options, const std::string& source,
                       MissingData* missing);
 
-/// Returns the position within the joint's limits that is closest to zero [rad, m]. Messages propose it for a
-/// joint that must be held.
+/// Returns the position within the joint's limits that is closest to zero [rad, m]. If a joint must be held
+/// at a fixed position, messages propose this one.
 double place_to_hold(const UrdfJoint& joint, const UrdfOptions& options);
 
 }  // namespace armtune::internal

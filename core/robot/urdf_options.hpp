@@ -11,7 +11,8 @@
 
 namespace armtune::internal {
 
-/// Limits of a joint that replace those of the file, or that it lacks. [rad, m, rad/s, m/s, N m, N]
+/// Limits of a joint [rad, m, rad/s, m/s, N m, N]. They replace those of the file, or add limits that the
+/// file lacks.
 struct GivenLimits {
   std::optional<double> lower, upper, velocity, effort;
 };
@@ -25,8 +26,9 @@ struct GivenInertia {
 
 struct UrdfOptions {
   /// Link that the arm stands on; its frame is frame 0. Empty: the root link. The root link stands upright:
-  /// gravity pulls along its -z. Another base link feels gravity in its orientation in the tree, with held
-  /// joints at their held positions and other joints at zero.
+  /// gravity pulls along its -z. If the base is another link, the direction of gravity follows from the
+  /// orientation of that link in the root link. Joints between the two are at their held positions, or at
+  /// zero if they are not held.
   std::string base_link;
   /// Link in which the tool frame is given and at which the chain of joints ends. Empty: `tool0` if there is
   /// one, else the last moving link.
@@ -36,8 +38,8 @@ struct UrdfOptions {
   Vec3 p_tip_T = Vec3::Zero();
   std::optional<GivenInertia> tool_inertia;  ///< of the tool mounted at the tip, in the tool frame
   std::vector<Shape> tool_shapes;            ///< of that tool, with poses in the tool frame
-  /// Joints that are treated as fixed at the given position [rad, m]: those of a gripper, a mimic joint, or a
-  /// joint of the arm itself.
+  /// Held joints, which are treated as fixed at the given position [rad, m]. Examples are the joints of a
+  /// gripper, a mimic joint, or a joint of the arm itself.
   std::map<std::string, double> held;
   std::map<std::string, GivenLimits> limits;    ///< by joint
   std::map<std::string, GivenInertia> inertia;  ///< by link
@@ -49,10 +51,10 @@ struct UrdfOptions {
 struct ImpossibleInertia {
   std::string link;
   GivenInertia nearest;
-  double moved = 0.0;  ///< distance of the proposal, relative to the given inertia (Frobenius norms)
+  double moved = 0.0;  ///< change by the replacement, relative to the given inertia (Frobenius norms)
 };
 
-/// Data that the arm needs and that neither the file nor the options give, or give wrongly.
+/// Data of the arm that are missing or wrong in the file, and that the options do not give either.
 struct MissingData {
   std::vector<std::string> position;  ///< joints without position limits, or with two equal ones
   std::vector<std::string> velocity;  ///< joints without a velocity limit

@@ -1,7 +1,7 @@
 #pragma once
 // Selects the joints of a URDF that belong to the arm: those on the chain from its base link to its tip link.
-// Other joints on its moving links must be held at a fixed position by request; urdf_arm.hpp refuses them
-// otherwise. Joints on links that the arm does not move are ignored.
+// Any other joint on the arm's moving links must be held at a fixed position by UrdfOptions::held. If it is
+// not, urdf_arm.hpp refuses the file. Joints on links that the arm does not move are ignored.
 
 #include <optional>
 #include <set>
@@ -22,12 +22,14 @@ struct UrdfSelection {
 };
 
 /// Returns a joint's lower and upper position limit [rad, m]; those of the options replace those of the file.
-/// No value if there are none, or if they are equal: urdfdom leaves zeros if the file gives velocity and
-/// effort only.
+/// Returns no value if there are no limits, or if both are equal: if the file gives only velocity and effort
+/// limits, urdfdom sets both position limits to zero.
 std::optional<std::pair<double, double>> position_range(const UrdfJoint& joint, const UrdfOptions& options);
 
-/// Selects the joints of the arm. `tree` must pass require_tree. Throws InputError, beginning with `source`,
-/// for a link, joint or value that the tree does not have; the message suggests the nearest name.
+/// Selects the joints of the arm. `tree` must pass require_tree. Throws InputError, with a message that
+/// begins with `source`, if the options name a link or joint that the tree does not have, hold a joint
+/// outside its limits, or name a base and a tip without a chain from one to the other. For an unknown name,
+/// the message suggests the nearest known one.
 UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const std::string& source);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// The visual and collision shapes of a URDF link.
+// Reads the visual and collision shapes of a URDF link.
 
 #include <vector>
 

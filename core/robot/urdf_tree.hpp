@@ -20,7 +20,7 @@ struct UrdfJoint {
     double upper = 0.0;
     double velocity = 0.0;  ///< [rad/s, m/s]
     double effort = 0.0;    ///< [N m, N]
-    bool soft = false;      ///< lower or upper is that of a safety controller
+    bool soft = false;      ///< true if lower or upper is a limit of a safety controller
   };
 
   std::string name;
@@ -59,8 +59,8 @@ struct UrdfTree {
   std::map<std::string, UrdfJoint> joints;
 };
 
-/// Throws InputError, with a message that begins with `source`, unless every link is reached from the root in
-/// exactly one way.
+/// Throws InputError, with a message that begins with `source`, unless exactly one chain of joints leads from
+/// the root to each link.
 void require_tree(const UrdfTree& tree, const std::string& source);
 
 }  // namespace armtune::internal

@@ -12,9 +12,10 @@ namespace armtune::internal {
 /// Returns the name of the URDF's last link: `tool`, followed by underscores if the name is taken in the arm.
 std::string urdf_tool_link(const RobotModel& model);
 
-/// Returns the text of the URDF. Its last link is `urdf_tool_link`, in the tool frame. Its root is the base
-/// link, or, if that is tilted, an upright link below it. If it is read back from base link to last link, it
-/// gives the same chain except for rotor inertia and friction, for which a URDF has no place or no exact one.
+/// Returns the text of the URDF. Its last link has the name `urdf_tool_link` and the tool frame. Its root is
+/// the base link. If the base link is tilted, the root is an additional upright link below it. A chain that
+/// is read back from base link to last link is the same, except that rotor inertia and friction are missing,
+/// because a URDF cannot hold them exactly.
 std::string urdf_text(const RobotModel& model);
 
 }  // namespace armtune::internal

@@ -1,14 +1,15 @@
 #pragma once
-// Checks the text of a URDF before the XML parser reads it. Some texts would crash the program there: tinyxml
-// recurses once per nesting level, and urdfdom uses text that it cannot read as a number as a printf format.
+// Checks the text of a URDF before the XML parser reads it, because some texts would crash the program. The
+// parser tinyxml calls itself once per nesting level. urdfdom passes text that is not a number to printf as
+// the format.
 
 #include <string>
 
 namespace armtune::internal {
 
 /// Returns the text of an expanded URDF that is safe to pass to urdfdom. Velocity and effort limits that a
-/// moving joint does not give are added as 0. Throws InputError naming the file, and the line where there is
-/// one, for: a file that cannot be read, is a directory, empty, larger than 32 MB, UTF-16 or binary; a tag or
+/// moving joint does not give are added as 0. Throws InputError naming the file, and the line if known,
+/// for: a file that cannot be read, is a directory, empty, larger than 32 MB, UTF-16 or binary; a tag or
 /// comment without its end; a second `<inertial>`, `<axis>`, ... in one link or joint; elements nested deeper
 /// than 1,000; more than 10,000 links, 200,000 elements, or 100 attributes in one tag; SDF and MJCF; xacro
 /// that is not expanded; a `%` or a character reference in any attribute but `filename`. All other errors are

@@ -1,8 +1,8 @@
 #pragma once
 // Computes velocities and accelerations at waypoints for which only positions and times are given. They are
-// those of the cubic spline through the waypoints that is at rest at both ends (de Boor, A Practical Guide to
-// Splines, chapter IV). A quintic between two knots with these values equals the cubic, so its acceleration
-// is linear.
+// taken from the cubic spline through the waypoints that is at rest at both ends (de Boor, A Practical Guide
+// to Splines, chapter IV). A quintic between two knots with these values equals the cubic, so its
+// acceleration is linear in time.
 
 #include <vector>
 
@@ -21,7 +21,8 @@ std::vector<MotionPoint<V>> cubic_spline(const std::vector<double>& time, const 
   for (const V& position : positions) knots.push_back({position, zero, zero});
   const auto h = [&](std::size_t k) { return time[k + 1] - time[k]; };
   const auto slope = [&](std::size_t k) { return V((positions[k + 1] - positions[k]) / h(k)); };
-  // The accelerations on both sides of each inner knot are equal, which gives, from the first to the last:
+  // The accelerations on both sides of each inner knot k are equal. This gives a tridiagonal system for the
+  // velocities v, which is solved by elimination from the first knot to the last:
   //   v[k-1] / h[k-1] + 2 (1 / h[k-1] + 1 / h[k]) v[k] + v[k+1] / h[k] = 3 (slope[k-1] / h[k-1] + slope[k] /
   //   h[k]).
   std::vector<double> after(n, 0.0);  // v[k] = known[k] - after[k] v[k+1]

@@ -1,14 +1,15 @@
 #pragma once
-// Computes the turn that points the tool's z axis at a target, such as a camera at an object (the gaze;
-// equation 7 in NOTATION.md). It is the shortest such turn, which leaves the roll about z unchanged.
+// Computes the turn that points the tool's z axis at a target, for example a camera on the tool at an object.
+// This pointing is called the gaze (equation 7 in NOTATION.md). Of all such turns it is the shortest one,
+// which leaves the roll about z unchanged.
 
 #include "core/trajectory/rotation.hpp"
 
 namespace armtune::internal {
 
 /// Returns the rotation vector [rad, base frame] of the shortest turn of the tool's z axis onto the line from
-/// tool to target. If the target is exactly behind the tool, the turn is about the tool's x axis. If it is at
-/// the tool, there is no turn.
+/// tool to target. If the target is exactly behind the tool, the turn is about the tool's x axis. If the
+/// target is at the tool's origin, the turn is zero.
 inline Vec3 gaze_turn(const Mat3& R_0T, const Vec3& p_0T, const Vec3& p_0G) {
   const Vec3 line = p_0G - p_0T;
   const double distance = line.norm();
@@ -27,7 +28,8 @@ inline double gaze_angle(const Mat3& R_0T, const Vec3& p_0T, const Vec3& p_0G) {
   return gaze_turn(R_0T, p_0T, p_0G).norm();
 }
 
-/// Returns the angular velocity [rad/s] of the line from tool to target: u x u', without roll.
+/// Returns the angular velocity [rad/s] of the line from tool to target, without roll. It is u x u', where u
+/// is the unit vector along the line.
 inline Vec3 gaze_line_rate(const Vec3& p_0T, const Vec3& v_0T, const Vec3& p_0G, const Vec3& v_0G) {
   const Vec3 line = p_0G - p_0T;
   const double squared = line.squaredNorm();

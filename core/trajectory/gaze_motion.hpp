@@ -1,7 +1,8 @@
 #pragma once
-// Feed-forward for a tool whose z axis points at a moving target. It consists of the angular velocity and
-// acceleration of the line from tool to target, and of the shortest turn of a fixed frame onto that line with
-// its first and second derivatives. The derivatives of gaze_turn (gaze.hpp) are exact.
+// Computes the feed-forward for a tool whose z axis points at a moving target:
+//   - the angular velocity and acceleration of the line from tool to target,
+//   - the shortest turn (gaze.hpp) of a fixed frame's z axis onto that line, with exact first and second
+//     derivatives.
 
 #include "core/trajectory/gaze.hpp"
 #include "core/trajectory/motion_point.hpp"
@@ -9,8 +10,8 @@
 
 namespace armtune::internal {
 
-/// Returns the direction u of the line from tool to target, with u' and u''. With the line l = r u,
-/// r u' = l' - r' u and r u'' = l'' - r'' u - 2 r' u'. A target at the tool has no direction: u = 0.
+/// Returns the direction u of the line from tool to target, with u' and u''. The line is l = r u, so that
+/// r u' = l' - r' u and r u'' = l'' - r'' u - 2 r' u'. If the target is at the tool, u is zero.
 inline MotionPoint<Vec3> gaze_direction(const MotionPoint<Vec3>& tool, const MotionPoint<Vec3>& target) {
   const Vec3 line = target.position - tool.position;
   const double r = line.norm();
@@ -32,9 +33,9 @@ inline TurnRate direction_rate(const MotionPoint<Vec3>& u) {
 }
 
 /// Returns the rotation vector phi of the shortest turn of a fixed frame's z axis onto u, with phi' and
-/// phi''. phi = g(c) a with a = z x u, c = z . u = cos(angle) and g = angle / sin(angle). The derivatives of
-/// g follow from (1 - c^2) g' = c g - 1 and (1 - c^2) g'' = g + 3 c g'. Exactly behind z the turn has no
-/// derivative; zero is returned for it.
+/// phi''. It is phi = g(c) a, where a = z x u, c = z . u = cos(angle) and g = angle / sin(angle). The
+/// derivatives g1 and g2 of g by c follow from (1 - c^2) g1 = c g - 1 and (1 - c^2) g2 = g + 3 c g1. If u
+/// points exactly along -z, phi has no derivatives, and zeros are returned for them.
 inline MotionPoint<Vec3> gaze_turn_motion(const Mat3& R_0F, const MotionPoint<Vec3>& u) {
   const Vec3 z = R_0F.col(2);
   const Vec3 a = z.cross(u.position);

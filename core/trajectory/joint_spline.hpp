@@ -20,7 +20,7 @@ class JointSpline {
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots);
 
   /// Makes a motion from the segments of ros_segments. given: the data of each knot that are used; the others
-  /// are set to zero. From the end on, the motion is that of the last knot. Throws as above.
+  /// are set to zero. From the end on, q, q' and q'' have the values of the last knot. Throws as above.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots, PointsGive given);
 
   double begin() const { return time_.front(); }
@@ -32,8 +32,9 @@ class JointSpline {
   /// the end. Allocates nothing; the knots around t are found by bisection.
   MotionPoint<JointVector> at(double t) const;
 
-  /// Returns the mean of q'' from t to t + dt, within the motion. If it is applied over that time, q' reaches
-  /// its planned value. dt > 0.
+  /// Returns the mean of q'' from t to t + dt, dt > 0. Time before the start and after the end of the motion
+  /// is left out. If an arm has this constant acceleration during that time, its q' reaches the planned
+  /// value.
   JointVector mean_acceleration(double t, double dt) const;
 
  private:

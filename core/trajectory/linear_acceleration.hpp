@@ -1,13 +1,13 @@
 #pragma once
-// A motion whose acceleration changes linearly in time: its jerk is constant, its position a cubic. Planned
-// joint motions move in this way between two knots (joint_spline.hpp).
+// A motion whose acceleration changes linearly in time. Its jerk is constant, and its position is a cubic
+// polynomial. Planned joint motions have this form between two knots (joint_spline.hpp).
 
 #include "core/trajectory/motion_point.hpp"
 
 namespace armtune::internal {
 
-/// Returns the motion s [s] after `start`, if the acceleration reaches `end_acceleration` h > 0 [s] after it.
-/// V: double or an Eigen vector.
+/// Returns the motion at the time s [s] after `start`. The acceleration reaches `end_acceleration` at the
+/// time h > 0 [s] after `start`. V: double or an Eigen vector.
 template <typename V>
 MotionPoint<V> linear_acceleration(const MotionPoint<V>& start, const V& end_acceleration, double h,
                                    double s) {

@@ -1,11 +1,11 @@
 #pragma once
-// An estimate of a point's motion from noisy samples of its position, such as those of a camera. It is a
-// fading-memory polynomial filter of the second degree (critically damped g-h-k filter): Brookner, Tracking
-// and Kalman Filtering Made Easy, section 1.4. With beta = exp(-bandwidth dt) and the residual r of each
-// sample to the prediction:
+// A filter that estimates a point's motion from noisy samples of its position, such as those of a camera. It
+// is a fading-memory polynomial filter of the second degree (critically damped g-h-k filter): Brookner,
+// Tracking and Kalman Filtering Made Easy, section 1.4. In every period dt it predicts position p, velocity v
+// and acceleration a, and corrects them by the residual r, which is the sample minus the predicted position:
 //   p += g r,  v += h r / dt,  a += 2 k r / dt^2,
-//   g = 1 - beta^3,  h = 3/2 (1 - beta)^2 (1 + beta),  k = 1/2 (1 - beta)^3.
-// A point of constant acceleration is followed without lag.
+//   g = 1 - beta^3,  h = 3/2 (1 - beta)^2 (1 + beta),  k = 1/2 (1 - beta)^3,  beta = exp(-bandwidth dt).
+// The estimate follows a point of constant acceleration without lag.
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
-// The prescribed motion of a point over time: of the tool, a target or an obstacle. It is a finite sum of
-// harmonics about a centre, which covers circles and similar curves,
+// The prescribed motion of a point over time. The point is the tool, a target or an obstacle. The motion is a
+// finite sum of harmonics about a centre, which covers circles and similar curves,
 //   p(t) = c + sum_k A_k cos(k phi) + B_k sin(k phi),   phi = w t + phase,
 // or a motion through knots, p(t) = c + spline(t).
 
@@ -33,9 +33,10 @@ struct Path {
   /// Returns the jerk at t [m/s^3].
   Vec3 jerk(double t) const;
 
-  /// True if it is a point at rest.
+  /// True if the point never moves.
   bool rests() const { return !spline && (frequency == 0.0 || terms.empty()); }
-  /// Returns the time after which the motion repeats [s]; 0: it is at rest, or does not repeat.
+  /// Returns the time after which the motion repeats [s]; 0 if the point never moves or the motion does not
+  /// repeat.
   double period() const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// A point's motion through knots in time. The pieces between knots are quintics, so that position, velocity
-// and acceleration are continuous.
+// The motion of a point through knots, each with a time, position, velocity and acceleration. The pieces
+// between knots are quintics, so that position, velocity and acceleration are continuous.
 
 #include <optional>
 #include <utility>
@@ -14,10 +14,10 @@ namespace armtune::internal {
 
 class PositionSpline {
  public:
-  /// time [s]: of the knots, increasing, at least two. knots: position [m], velocity and acceleration at
-  /// each. loops: after the last knot the motion starts again at the first, which must have the same values.
-  /// Throws InputError if the times do not increase, the counts differ, or a loop's ends differ by more than
-  /// rounding.
+  /// time [s]: times of the knots, increasing, at least two. knots: position [m], velocity and acceleration
+  /// at each time. loops: true if the motion repeats from the first knot after it reaches the last one; both
+  /// must then have the same values. Throws InputError if the times do not increase, the counts differ, or a
+  /// loop's ends differ by more than rounding.
   PositionSpline(const std::vector<double>& time, const std::vector<MotionPoint<Vec3>>& knots, bool loops);
 
   double begin() const { return time_.front(); }
@@ -26,8 +26,8 @@ class PositionSpline {
   const std::vector<double>& time() const { return time_; }
   const std::vector<MotionPoint<Vec3>>& knots() const { return knots_; }
 
-  /// Returns the motion at t [s]. If it does not loop, it rests at its first position before the start and at
-  /// its last one after the end. Allocates nothing; the piece is found by bisection.
+  /// Returns the motion at t [s]. If the motion does not loop, the point rests at the first position before
+  /// the start, and at the last position after the end. Allocates nothing; the piece is found by bisection.
   MotionPoint<Vec3> at(double t) const;
   /// Returns the jerk at t [m/s^3], which may jump at knots.
   Vec3 jerk(double t) const;
@@ -35,7 +35,8 @@ class PositionSpline {
  private:
   /// Returns the index of the piece that holds t, and the time since its start. t: as returned by `inside`.
   std::pair<std::size_t, double> piece(double t) const;
-  /// Returns t, mapped into the first turn of a loop; no value outside the motion, where it rests.
+  /// Returns t. For a loop, t is mapped into the first pass. Without a loop, there is no value before the
+  /// start and after the end, where the point rests.
   std::optional<double> inside(double t) const;
 
   std::vector<double> time_;

@@ -28,7 +28,7 @@ class Quintic {
 
   double duration() const { return duration_; }
 
-  /// Returns the motion at t [s]; before the start and after the end, that of the start and of the end.
+  /// Returns the motion at t [s], which is clamped to the duration.
   MotionPoint<V> at(double t) const {
     const double s = std::clamp(t, 0.0, duration_);
     return {c0_ + s * (c1_ + s * (c2_ + s * (c3_ + s * (c4_ + s * c5_)))),
@@ -52,7 +52,7 @@ inline Quintic<double> rest_to_rest(double from, double to, double duration) {
   return {MotionPoint<double>{from, 0.0, 0.0}, MotionPoint<double>{to, 0.0, 0.0}, duration};
 }
 
-/// Shortest duration of an interpolation [s]: a distance of zero would otherwise give a duration of zero.
+/// Shortest duration of an interpolation [s]. Without it, a distance of zero would give a duration of zero.
 inline constexpr double kShortestInterpolation = 0.05;
 
 }  // namespace armtune::internal

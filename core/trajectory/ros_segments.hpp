@@ -14,8 +14,8 @@
 
 namespace armtune::internal {
 
-/// The data that every point of a trajectory has. kVelocities: positions and velocities; kAccelerations: all
-/// three.
+/// The data that every point of a trajectory has. kVelocities: positions and velocities. kAccelerations:
+/// positions, velocities and accelerations.
 enum class PointsGive { kPositions, kVelocities, kAccelerations };
 
 /// Returns the segments between neighbouring points. time [s]: increasing, at least two, as many as points.

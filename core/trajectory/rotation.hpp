@@ -1,5 +1,6 @@
 #pragma once
-// Exponential and logarithm of rotations. A rotation vector is the axis times the full angle of the turn.
+// Converts rotation vectors to rotations and back (exponential and logarithm). A rotation vector is the axis
+// times the full angle of the turn.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -30,8 +31,9 @@ inline Vec3 rotation_log(const Eigen::Quaterniond& q) {
   return scale * v;
 }
 
-/// Returns, of all rotation vectors of the rotation phi (they differ by whole turns), the one nearest to
-/// `near`. A turn beyond half a turn thus continues without a jump.
+/// Returns the rotation vector nearest to `near` that describes the same rotation as phi. All vectors of one
+/// rotation differ by whole turns. With `near` as the previous vector, a rotation can therefore grow beyond
+/// half a turn without a jump of its vector.
 inline Vec3 nearest_rotation_vector(const Vec3& phi, const Vec3& near) {
   const double angle = phi.norm();
   const Vec3 axis = angle > 1e-9 ? Vec3(phi / angle) : near.stableNormalized();

@@ -1,8 +1,9 @@
 #pragma once
-// Computes the angular velocity w and acceleration of a frame that turns with the orientation exp(psi(t)),
-// where psi is a rotation vector: w = J_l(psi) psi' with the left Jacobian of SO(3),
-//   J_l = 1 + a [psi] + b [psi]^2,   a = (1 - cos)/angle^2,   b = (angle - sin)/angle^3.
-// Chirikjian, Stochastic Models, Information Theory, and Lie Groups, vol. 2, section 10.6.
+// Computes the angular velocity w and acceleration w' of a frame with the orientation exp(psi(t)), where psi
+// is a rotation vector. With the left Jacobian J_l of SO(3), w = J_l psi',
+//   J_l = 1 + a [psi] + b [psi]^2,   a = (1 - cos(angle)) / angle^2,   b = (angle - sin(angle)) / angle^3,
+// where angle = |psi|, and [psi] is the cross product matrix of psi. Source: Chirikjian, Stochastic Models,
+// Information Theory, and Lie Groups, vol. 2, section 10.6.
 
 #include "core/trajectory/motion_point.hpp"
 #include "core/trajectory/rotation.hpp"
@@ -15,8 +16,8 @@ struct TurnRate {
   Vec3 acceleration = Vec3::Zero();
 };
 
-/// Returns w and w' of exp(psi). psi: rotation vector [rad] with its first and second derivatives; |psi| <=
-/// pi keeps it well conditioned.
+/// Returns w and w' of exp(psi). psi: rotation vector [rad] with its first and second derivatives. The result
+/// is well conditioned for |psi| <= pi.
 inline TurnRate rotation_rate(const MotionPoint<Vec3>& psi) {
   const double x = psi.position.squaredNorm();
   const double angle = std::sqrt(x);
@@ -49,9 +50,10 @@ inline TurnRate rotation_rate(const MotionPoint<Vec3>& psi) {
   return rate;
 }
 
-/// Computes the inverse: the rotation vector psi from a fixed orientation to one that turns with `rate`, with
-/// its derivatives. psi' = J_l^-1 w with J_l^-1 = 1 - [psi] / 2 + c [psi]^2,
-/// c = (1 - angle sin / (2 (1 - cos))) / angle^2, and psi'' = J_l^-1 (w' - J_l' psi'). |psi| < 2 pi.
+/// Computes the inverse of rotation_rate: returns psi with psi' and psi''. psi: rotation vector [rad] from a
+/// fixed orientation to one that turns with `rate`; |psi| < 2 pi.
+///   psi' = J_l^-1 w,   psi'' = J_l^-1 (w' - J_l' psi'),   J_l^-1 = 1 - [psi] / 2 + c [psi]^2,
+///   c = (1 - angle sin(angle) / (2 (1 - cos(angle)))) / angle^2.
 inline MotionPoint<Vec3> rotation_vector_motion(const Vec3& psi, const TurnRate& rate) {
   const double x = psi.squaredNorm();
   double c = 0.0;

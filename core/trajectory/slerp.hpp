@@ -20,7 +20,7 @@ inline OrientationPoint slerp(const Eigen::Quaterniond& start, const Vec3& phi,
   return {rotation_exp(s.position * phi) * start, s.velocity * phi, s.acceleration * phi};
 }
 
-/// Interpolates towards a moving goal. phi: with its derivatives. Q(t) = exp(s(t) phi(t)) Q_start.
+/// Interpolates towards a moving goal: Q(t) = exp(s(t) phi(t)) Q_start. phi: as above, with its derivatives.
 inline OrientationPoint slerp(const Eigen::Quaterniond& start, const MotionPoint<Vec3>& phi,
                               const MotionPoint<double>& s) {
   const TurnRate rate = rotation_rate(
@@ -29,7 +29,8 @@ inline OrientationPoint slerp(const Eigen::Quaterniond& start, const MotionPoint
   return {rotation_exp(s.position * phi.position) * start, rate.velocity, rate.acceleration};
 }
 
-/// Returns the rotation `inner` followed by `outer`, both about base axes: Q = Q_outer Q_inner.
+/// Returns the rotation `inner` followed by `outer`, both about base axes: Q = Q_outer Q_inner. The result
+/// includes the angular velocity and acceleration.
 inline OrientationPoint composed(const OrientationPoint& outer, const OrientationPoint& inner) {
   const Vec3 carried = outer.orientation * inner.angular_velocity;
   return {outer.orientation * inner.orientation, outer.angular_velocity + carried,

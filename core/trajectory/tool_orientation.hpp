@@ -14,7 +14,8 @@ struct ToolOrientation {
   /// Tool orientation in the base frame. With a `turn`, it is the orientation at the turn's beginning. It is
   /// not used with an `approach`.
   Eigen::Quaterniond start = Eigen::Quaterniond::Identity();
-  /// Rotation vector [rad, base frame] in time: the orientation is exp(turn(t)) start. Null: it is fixed.
+  /// Rotation vector over time [rad, base frame]: the orientation is exp(turn(t)) start. Null: the
+  /// orientation stays at `start`, unless there is an `approach`.
   std::shared_ptr<const PositionSpline> turn = nullptr;
   /// Approach direction, base frame. If given, the tool's x axis points along the path, and its z axis is the
   /// direction nearest to this one that is perpendicular to x.
@@ -28,18 +29,19 @@ struct ToolOrientation {
 };
 
 /// Returns the direction of the path's motion at t [s]: u = v / |v| with u' and u''. Before the start and
-/// after the end of a path that does not loop, it is the fixed direction there. It is zero where the path
-/// rests in between.
+/// after the end of a spline that does not loop, u is constant: the direction at its start or at its end. If
+/// the path rests in between, u is zero there.
 MotionPoint<Vec3> heading(const Path& path, double t);
 
 /// Largest rotation [rad] from the first orientation of turning_through to any other. Near a whole turn, a
 /// rotation vector does not determine an axis.
 inline constexpr double kMostTurn = 1.5 * M_PI;
 
-/// Returns the orientation that moves through the given ones at the given times [s], increasing, at least
-/// two. Rotation vectors lead from the first orientation to each, and each is chosen nearest to its
-/// predecessor. The motion is the cubic spline through these vectors, at rest at both ends. The caller must
-/// refuse vectors beyond kMostTurn.
+/// Returns an orientation that moves through the given orientations at the given times. time [s]: increasing,
+/// at least two. Each given orientation is described by its rotation vector from the first one. Of the
+/// vectors that describe the same orientation, the one nearest to the previous vector is chosen. The motion
+/// is the cubic spline through these vectors, at rest at both ends. The caller must refuse vectors longer
+/// than kMostTurn.
 ToolOrientation turning_through(const std::vector<double>& time,
                                 const std::vector<Eigen::Quaterniond>& orientations);
 

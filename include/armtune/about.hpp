@@ -7,7 +7,7 @@
 
 namespace armtune {
 
-/// Returns (name, version) of armtune and of every library in use, armtune first.
+/// Returns pairs (name, version): first that of armtune, then those of all libraries in use.
 std::vector<std::pair<std::string, std::string>> versions();
 
 /// Returns the names of the bundled files of one kind. folder: "robots", "scenarios", "gains", "studies",

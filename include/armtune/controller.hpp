@@ -89,7 +89,7 @@ struct GainDeclaration {
   std::string meaning = {};   ///< a few words
   double otherwise = 0.0;     ///< default of each of its values
   bool positive = false;      ///< zero is refused
-  bool in_loop = true;        ///< true if it scales the loop's gain: not a length, an angle or a scale
+  bool in_loop = true;        ///< true if it scales the loop gain; false for a length, an angle or a scale
   double lower_factor = 0.2;  ///< default lower bound of the search, as a factor on the start value
   double upper_factor = 5.0;  ///< default upper bound, likewise; a study can set both
 };

@@ -1,6 +1,7 @@
 #pragma once
-// A search for the Pareto front of two or three criteria: the gains that no other gains dominate. It shows
-// what a lower value of one criterion costs in another.
+// Searches for the Pareto front of two or three criteria. The front consists of gain sets that no other gain
+// set dominates: none is at least as good in every criterion and better in one. The front shows how much one
+// criterion gets worse when another one improves.
 
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@ struct FrontOptions {
   std::string folder = {};   ///< new folder for all files of the run; empty: nothing is written
   bool resume = false;       ///< resume the run in that folder
   int workers = 1;           ///< threads; results do not depend on it
-  std::size_t levels = 0;    ///< per criterion except the first; 0: 12, or 4 with three criteria
-  long max_evaluations = 0;  ///< 0: four times the study's
+  std::size_t levels = 0;    ///< levels of each criterion but the first; 0: 12 (with three criteria: 4)
+  long max_evaluations = 0;  ///< largest number of evaluations; 0: four times that of the study
   double deadline = 0.0;     ///< wall-clock limit of a rollout [s]; 0: 20 s plus twice its simulated duration
   Watch watch = {};
 };
@@ -28,13 +29,14 @@ struct FrontPoint {
 struct Front {
   std::vector<FrontPoint> points = {};  ///< feasible points, ascending in the first criterion
   FrontPoint start;                     ///< start gains and their values
-  double hypervolume = 0.0;             ///< that the points dominate, with the start as reference
+  double hypervolume = 0.0;             ///< volume that the points dominate; reference: the start gains
   bool interrupted = false;
   std::vector<std::string> files = {};  ///< names of the files in the folder
 };
 
-/// Searches the front of a study. criteria: two or three, each the name of a metric or "objective". The first
-/// one is optimised while the others are limited to fixed levels. Throws as tune does.
+/// Searches for the front of a study. criteria: two or three, each the name of a metric or "objective". The
+/// first criterion is optimised several times. In each of these searches, the other criteria must stay below
+/// fixed levels. Throws the same errors as tune.
 Front front(const Study& study, const std::vector<std::string>& criteria, const FrontOptions& options = {});
 
 }  // namespace armtune

@@ -17,7 +17,7 @@ struct Gains;
 
 /// The file formats that gains can be written in.
 enum class GainsFormat {
-  kYaml,  ///< armtune's own format, which is the published one
+  kYaml,  ///< armtune's gains file, with the keys of the published controller
   kRos1,  ///< for rosparam load
   kRos2   ///< for --params-file
 };

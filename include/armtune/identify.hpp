@@ -22,8 +22,8 @@ struct IdentifyOptions {
 /// The RMS torques of the n joints [N m, N].
 struct Residuals {
   std::vector<double> torque = {};    ///< the measured torque itself
-  std::vector<double> by_theta = {};  ///< unexplained by the identified parameters
-  std::vector<double> by_file = {};   ///< unexplained by the given robot
+  std::vector<double> by_theta = {};  ///< part that the identified parameters do not explain
+  std::vector<double> by_file = {};   ///< part that the model of the given robot does not explain
 };
 
 struct Identified {

@@ -21,11 +21,11 @@ struct PlanLimit {
   std::string limit = {};  ///< "velocity", "torque", "gaze", "distance to ..."
   std::string part = {};   ///< the joint or axis
   double used = 0.0;       ///< largest used fraction of the limit over all times; 1: at the limit
-  double time = 0.0;       ///< when that fraction is used [s]; NaN: at a knot
+  double time = 0.0;       ///< time of this largest use [s]; NaN: at a knot, where no time is stored
   bool binds = false;      ///< true if the limit restricts the motion somewhere
 };
 
-/// A motion of n joints at N times.
+/// The result of planning: a motion of n joints at N times, called knots.
 struct Plan {
   bool solved = false;
   std::string status = {};                                     ///< such as "solved" or "infeasible"
@@ -36,7 +36,7 @@ struct Plan {
   std::vector<std::vector<double>> position = {};              ///< N x n [rad, m]
   std::vector<std::vector<double>> velocity = {};              ///< N x n [rad/s, m/s]
   std::vector<std::vector<double>> effort = {};                ///< N x n [N m, N]
-  std::vector<PlanLimit> limits = {};                          ///< those that restrict the motion first
+  std::vector<PlanLimit> limits = {};                          ///< limits that restrict the motion come first
   std::vector<std::string> files = {};                         ///< names of the files in the folder
 };
 

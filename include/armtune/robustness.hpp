@@ -18,9 +18,9 @@ struct RobustnessOptions {
   bool resume = false;      ///< resume the run in that folder
   std::uint64_t samples = 1000;
   std::uint64_t seed = 1;
-  /// Widths of the random differences, by name; names that are left out have default widths. Names: mass,
-  /// center, inertia, rotor, friction, payload, delay, noise, theta, target_speed.
-  /// `armtune robustness --help` explains them.
+  /// Widths of the random differences between an arm and the model, by name. Names that are left out have
+  /// default widths. Names: mass, center, inertia, rotor, friction, payload, delay, noise, theta,
+  /// target_speed. `armtune robustness --help` explains them.
   std::map<std::string, double> perturbation = {};
   Engine engine = Engine::kSimbody;
   int workers = 1;        ///< threads; results do not depend on it
@@ -40,7 +40,7 @@ struct RobustnessSample {
 
 struct Robustness {
   std::vector<RobustnessSample> samples = {};  ///< in the order of their numbers
-  Verdict verdict = {};                        ///< on the yield; without checks if interrupted
+  Verdict verdict = {};                        ///< verdict on yield(); without checks if interrupted
   bool interrupted = false;
   std::vector<std::string> files = {};  ///< names of the files in the folder
   /// Returns the share of the samples that keep every limit in every scenario; NaN without samples.
@@ -53,7 +53,7 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
                       const RobustnessOptions& options = {});
 
 struct MarginsOptions {
-  Engine engine = Engine::kSimbody;  ///< engine of the search; Simbody confirms every margin
+  Engine engine = Engine::kSimbody;  ///< engine that searches for margins; Simbody confirms each one
   int workers = 1;                   ///< threads; results do not depend on it
   Watch watch = {};
 };

@@ -34,8 +34,8 @@ struct SimulateOptions {
 class Rollout {
  public:
   const std::string& scenario() const { return scenario_; }
-  /// Returns "completed", "diverged", "no_samples" (it ran to its end, but never tracked the task) or
-  /// "interrupted".
+  /// Returns "completed", "diverged", "no_samples" (the rollout reached its end, but the tool never tracked
+  /// the task) or "interrupted".
   const std::string& status() const { return status_; }
   bool completed() const { return status_ == "completed"; }
   /// Returns when, where and why it did not complete; empty if it completed.
@@ -46,8 +46,8 @@ class Rollout {
   /// Returns one metric. Throws InputError if there is no such metric.
   double metric(const std::string& name) const;
   /// Returns the arm's own limits that were exceeded, each in one sentence, the earliest first. There is no
-  /// value if they were not observed: in simulate_sets, for random arms, and in objectives of your own. The
-  /// metrics then have the largest ratios.
+  /// value if the limits were not observed: in results of simulate_sets, for random arms, and in the rollouts
+  /// that an objective of your own receives. Use the metrics there, such as "joint_velocity/max_ratio".
   const std::optional<std::vector<std::string>>& broken_limits() const { return broken_limits_; }
 
   /// Returns the names of the recorded columns, `time` first; empty without a recording.

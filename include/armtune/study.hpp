@@ -1,5 +1,6 @@
 #pragma once
-// A study: which gains are tuned, over which scenarios, for which objective, and within which limits.
+// A study. It defines which gains are tuned, over which scenarios, for which objective, and under which
+// constraints.
 
 #include <cstdint>
 #include <functional>
@@ -23,11 +24,11 @@ struct Study;
 struct StudyInputs {
   std::vector<Scenario> scenarios = {};
   std::optional<Gains> start = std::nullopt;
-  /// Computes the objective from one rollout for each scenario, all completed and without recordings. It must
-  /// be above zero, lower is better, and the same rollouts must give the same value. The search divides it by
-  /// the start's value and cuts the ratio off at ten. It is called from any thread, one call at a time. An
-  /// exception from it ends the search. A `robust` study simulates several arms; each metric is then combined
-  /// over them by the study's measure, such as the worst case.
+  /// Computes the objective from one rollout for each scenario, all completed and without recordings. The
+  /// value must be above zero, and a lower value is better. The same rollouts must give the same value. The
+  /// search divides the value by that of the start gains, and limits the ratio to ten. The function is called
+  /// from any thread, one call at a time. An exception from it ends the search. A `robust` study simulates
+  /// several arms; each metric is then combined over the arms by the study's measure, such as the worst case.
   std::function<double(const std::vector<Rollout>&)> objective = {};
 };
 
@@ -37,8 +38,9 @@ class Study {
   /// Reads a bundled study by name, or a study file by path. controller: kind of controller to tune, in place
   /// of the one that the gains are for; empty: as the study specifies. Throws InputError.
   static Study load(const std::string& name_or_path, const std::string& controller = {});
-  /// Parses the text of a study file (docs/file_formats.md). Paths are relative to the current folder. The
-  /// study cannot be run into a folder, since no file matches it. Throws InputError.
+  /// Parses the text of a study file (docs/file_formats.md). Paths are relative to the current folder.
+  /// Functions that write a run folder do not accept such a study, because there is no file that they could
+  /// copy into the folder. Throws InputError.
   static Study parse(const std::string& yaml, const StudyInputs& inputs = {});
 
   const std::string& name() const;
@@ -47,8 +49,8 @@ class Study {
   /// Returns the names of the tuned numbers, such as "task_space_gains_p/x". The coordinates of a point have
   /// this order.
   std::vector<std::string> parameters() const;
-  long max_evaluations() const;  ///< including those of the start gains and of the coarse sweep
-  std::uint64_t seed() const;    ///< of algorithms that draw random numbers
+  long max_evaluations() const;  ///< also counts the start gains and the coarse grid around them
+  std::uint64_t seed() const;    ///< seed of algorithms that draw random numbers
   /// Sets the largest number of evaluations. Throws InputError if it is not positive.
   void set_max_evaluations(long most);
   void set_seed(std::uint64_t seed);

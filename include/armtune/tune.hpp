@@ -26,7 +26,7 @@ struct TuneOptions {
 struct TunePoint {
   std::vector<double>
       x;  ///< coordinates, one for each of Study::parameters: 0 at the lower, 1 at the upper bound
-  double objective = 0.0;            ///< relative to the start, which scores 1
+  double objective = 0.0;            ///< relative to the objective of the start gains, which is 1
   double violation = 0.0;            ///< sum of the relative violations of the constraints; 0: feasible
   Engine engine = Engine::kSimbody;  ///< engine that simulated the point
 };
@@ -39,15 +39,15 @@ struct Tuned {
   bool interrupted = false;
   std::string reason = {};                       ///< why the search ended
   std::vector<std::string> parameters = {};      ///< names of the coordinates of a point
-  std::vector<TunePoint> evaluations = {};       ///< in order
-  std::vector<Rollout> before = {}, after = {};  ///< fresh rollouts of start and best, without recordings
+  std::vector<TunePoint> evaluations = {};       ///< all evaluated points, in order
+  std::vector<Rollout> before = {}, after = {};  ///< new rollouts of start and best, without recordings
   Verdict verdict = {};                          ///< on the simulation checks; without checks if interrupted
   std::vector<std::string> files = {};           ///< names of the files in the folder
 };
 
-/// Runs a study. The result does not depend on the number of workers. Throws InputError if the start gains
-/// give no reference to compare with, or if the folder is in use. Throws FailedError if a file cannot be
-/// written; what was finished remains in the folder.
+/// Runs a study. The result does not depend on the number of workers. Throws InputError if the objective of
+/// the start gains cannot serve as a reference, for example because a scenario does not complete, or if the
+/// folder is in use. Throws FailedError if a file cannot be written; finished results remain in the folder.
 Tuned tune(const Study& study, const TuneOptions& options = {});
 
 }  // namespace armtune

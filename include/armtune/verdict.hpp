@@ -9,11 +9,11 @@
 namespace armtune {
 
 enum class CheckKind {
-  kCompleted,      ///< every rollout ran to its end and tracked something
+  kCompleted,      ///< every rollout reached its end and tracked its task
   kVelocityLimit,  ///< the arm's own limits
   kPositionLimit,
   kEffortLimit,
-  kContact,      ///< tool and joints, or links, stay outside every obstacle's radius
+  kContact,      ///< tool and joint origins (or links) stay outside every obstacle
   kSelf,         ///< links that are not neighbours do not touch each other
   kCell,         ///< the arm touches no part of its cell
   kFloor,        ///< the arm does not touch the floor
@@ -22,8 +22,8 @@ enum class CheckKind {
   kGainFactor,
   kControlRate,
   kVelocityNoise,
-  kRotorEstimate,   ///< estimated rotor inertia at a third and at three times the estimate
-  kYield,           ///< random arms that keep their limits
+  kRotorEstimate,   ///< the loop tolerates a third and three times an estimated rotor inertia
+  kYield,           ///< enough of the random arms keep their limits
   kEndurance,       ///< extended scenarios keep every limit
   kErrorGrowth,     ///< errors do not grow in extended scenarios
   kBetterThanStart  ///< the result of a search is better than its start
@@ -32,8 +32,8 @@ enum class CheckKind {
 /// Returns the name that is printed and written to files, such as "effort limit".
 const char* name(CheckKind kind);
 
-/// One check that was made, with the place where it came out worst. Fields that do not apply are empty or
-/// NaN.
+/// One check that was made. Its fields describe the worst result: where and when it occurred, and its value.
+/// Fields that do not apply are empty or NaN.
 struct Check {
   CheckKind kind = CheckKind::kCompleted;
   bool passed = true;
@@ -43,7 +43,7 @@ struct Check {
   double time = NAN;        ///< [s]
   double value = NAN;       ///< the measured value
   double threshold = NAN;   ///< the value that it is compared with
-  std::string unit = {};    ///< of both
+  std::string unit = {};    ///< unit of value and threshold
   std::string detail = {};  ///< one clause in words, such as the constraint's name
 };
 
@@ -51,7 +51,7 @@ struct Verdict {
   std::vector<Check> checks;
   std::vector<std::string> not_checked;
   std::vector<std::string> assumes;
-  std::vector<std::string> notes;  ///< loosened thresholds, gains on their bounds
+  std::vector<std::string> notes;  ///< remarks, such as loosened thresholds or gains on their bounds
 
   /// True if every check that was made passed. A verdict without checks has not passed.
   bool passed() const;

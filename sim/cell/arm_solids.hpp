@@ -18,15 +18,15 @@ struct ArmSolid {
 
 struct ArmSolids {
   std::vector<ArmSolid> solids;
-  std::vector<std::string> unknown;  ///< links with a shape that could not be read, and bodies without any
-  std::vector<std::string> meshes;   ///< files that shapes were read from, each once
-  std::vector<std::string> unread;   ///< shapes that could not be read, with why: "NAME: no such file ..."
+  std::vector<std::string> unknown;  ///< links with an unreadable shape, and links of bodies without a shape
+  std::vector<std::string> meshes;   ///< mesh files from which shapes were read, without duplicates
+  std::vector<std::string> unread;   ///< unreadable shapes, with the reason: "NAME: no such file ..."
 };
 
 /// Returns the solids of the arm, one for each shape. The shapes of a link are its collision geometry, or its
 /// visual geometry if it has none. Meshes become their convex hulls; they must be binary STL files that
-/// mesh_path() finds. If the tool frame lies off the last body's shapes, a thin rod named "tool", of 1 mm
-/// radius, connects them to its origin.
+/// mesh_path() finds. If the origin of the tool frame lies outside the shapes of the last body, a thin rod
+/// connects this origin to the nearest shape. The rod is named "tool" and has a radius of 1 mm.
 ArmSolids arm_solids(const RobotModel& robot);
 
 }  // namespace armtune::internal

@@ -16,11 +16,11 @@ struct CellPart {
   Solid solid;
   Mat3 R_0S = Mat3::Identity();
   Path path;                 ///< motion of the origin of the solid's frame, base frame
-  bool is_obstacle = false;  ///< true for the scenario's obstacles, which scenario files list separately
+  bool is_obstacle = false;  ///< true for an obstacle, which scenario files list outside the key `cell`
 };
 
 struct Cell {
-  std::optional<double> floor;  ///< height above the base frame's origin, against gravity [m]
+  std::optional<double> floor;  ///< height above the base frame's origin, measured opposite to gravity [m]
   std::vector<CellPart> parts;
 };
 

@@ -22,10 +22,11 @@ inline constexpr std::size_t kClearances = static_cast<std::size_t>(Clearance::k
 /// A body of the arm, and the body that it must not touch.
 struct ContactPair {
   Clearance of = Clearance::kSelf;
-  std::size_t solid = 0;  ///< of the arm
-  std::size_t other = 0;  ///< kSelf: a solid of the arm that is closer to the base; kCell: a part of the cell
-  /// Largest change of the distance per unit of each joint's motion, at any position within the joints'
-  /// limits (n) [m/rad, m/m].
+  std::size_t solid = 0;  ///< index of a solid of the arm
+  std::size_t other = 0;  ///< kSelf: index of another solid of the arm, closer to the base; kCell: index of a
+                          ///< part of the cell; kFloor: 0
+  /// Upper bound of the change of the distance per unit of motion of each joint (n) [m/rad, m/m]. It holds at
+  /// every position within the joint limits.
   JointVector lever;
 };
 
@@ -49,14 +50,14 @@ class ClearanceModel {
   /// shapes touch at nearly every position.
   std::vector<std::string> left_out_by_their_make() const;
 
-  /// Returns a copy in which the parts that are obstacles move along these paths, one for each in their
-  /// order.
+  /// Returns a copy in which the obstacles move along other paths. paths: one for each part of the cell with
+  /// is_obstacle, in the order of the parts.
   ClearanceModel with_obstacles_on(const std::vector<Path>& paths) const;
   /// Returns a copy that does not check distances from obstacles.
   ClearanceModel without_obstacles() const;
 
-  /// Returns the distance of a pair for these poses of the arm. at: position of the pair's part of the cell,
-  /// base frame [m]; not used for other kinds of pairs.
+  /// Returns the distance between the two bodies of a pair for these poses of the arm. at: position of the
+  /// part of the cell, base frame [m]; used only for pairs of the kind kCell.
   Closest distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const;
 
   /// Returns the name of a pair, such as "forearm_link and table".
@@ -66,7 +67,7 @@ class ClearanceModel {
   void add_self_pairs();
   void add_cell_pairs();
   void add_floor_pairs();
-  /// True if the two bodies do not touch at `fewest` or more of 200 sampled joint positions.
+  /// Tests 200 fixed joint positions. True if the two bodies do not touch at `fewest` or more of them.
   bool is_free_at(unsigned fewest, const ContactPair& pair) const;
   ContactPair pair(Clearance of, std::size_t solid, std::size_t other) const;
 

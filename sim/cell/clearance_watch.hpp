@@ -1,6 +1,6 @@
 #pragma once
 // Finds how close an arm comes to itself, to its robot cell and to the floor during a motion. ClearanceWatch
-// finds the smallest distances over the whole motion. ClearanceNow finds those at each single time.
+// finds the smallest distances over the whole motion. ClearanceNow finds the smallest distances at one time.
 
 #include <array>
 #include <limits>
@@ -23,8 +23,8 @@ inline const LeastClearance& least_of(Clearance kind, const LeastClearances& lea
   return least[static_cast<std::size_t>(kind)];
 }
 
-/// Finds the smallest distance of each kind over all calls of see(). The distances are exact, and a contact
-/// at any of these times is found.
+/// Finds the smallest distance of each kind over all calls of see(). The distances are exact. A contact is
+/// found if it exists at the time of one of these calls.
 class ClearanceWatch {
  public:
   explicit ClearanceWatch(std::shared_ptr<const ClearanceModel> model) : distances_(std::move(model)) {}
@@ -41,7 +41,8 @@ class ClearanceWatch {
   LeastClearances least_;
 };
 
-/// Finds the smallest distance of each kind at one time after another. Recordings show these values.
+/// Finds the smallest distance of each kind at the time of the last call of see(). Recordings contain these
+/// distances.
 class ClearanceNow {
  public:
   explicit ClearanceNow(std::shared_ptr<const ClearanceModel> model) : distances_(std::move(model)) {}
@@ -51,14 +52,14 @@ class ClearanceNow {
   void see(double time, const JointVector& q);
 
   const LeastClearances& least() const { return least_; }
-  /// Returns the two points that are closest to each other among all kinds. For an arm without pairs both are
-  /// zero.
+  /// Returns the smallest distance of all kinds, and the two points between which it lies. If there are no
+  /// pairs, both points are zero.
   const Closest& closest() const { return closest_; }
 
  private:
   PairDistances distances_;
   LeastClearances least_;
-  std::array<std::size_t, kClearances> last_{};  ///< the pair that was closest the last time, by kind
+  std::array<std::size_t, kClearances> last_{};  ///< index of the last call's closest pair, by kind
   Closest closest_;
   double time_ = std::numeric_limits<double>::quiet_NaN();
 };

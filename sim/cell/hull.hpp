@@ -9,8 +9,8 @@
 
 namespace armtune::internal {
 
-/// Returns the hull of the points [m], with its corners and triangles; nothing if they lie in a plane, or
-/// close to one. It contains every point to within 1e-6 of their extent.
+/// Returns the hull of the points [m], with its corners and triangles. Returns nothing if all points lie in
+/// or near one plane. A point may lie outside the hull by at most 1e-6 of the extent of all points.
 std::optional<Solid> convex_hull(std::span<const Vec3> points);
 
 }  // namespace armtune::internal

@@ -8,17 +8,22 @@
 namespace armtune::internal {
 
 /// The environment variable that lists further folders from which meshes may be read, in addition to the
-/// robot's own. They are separated as in PATH. An entry NAME=FOLDER is the package of that name.
+/// robot's own. An entry is FOLDER, or NAME=FOLDER for the folder of the package NAME. Colons separate the
+/// entries.
 inline constexpr const char* kMeshFolders = "ARMTUNE_MESHES";
 
-/// Returns the file that a URDF refers to by `package://NAME/x`, by `file://x` or by a path from the URDF's
-/// folder. For a package, x lies below a folder that contains the URDF and is called NAME, by its own name or
-/// in its package.xml, or below one called NAME in an allowed folder.
+/// Returns the file that a URDF refers to as `named`, which is one of these:
+///   - `file://x`, or a path relative to the URDF's folder;
+///   - `package://NAME/x`: the file x in a folder of the package NAME. This is a folder that contains the
+///     URDF and that is called NAME, or has this name in its package.xml. It can also be an entry NAME=FOLDER
+///     of kMeshFolders, or a folder called NAME in an entry FOLDER.
 ///
 /// A URDF may come from a stranger, and the files that it names appear in reports. Therefore this returns
-/// nothing unless the file, with links followed, is within the robot's folder or an allowed one. The robot's
-/// folder is the nearest one above the URDF with a package.xml. Without any, it is the URDF's own folder, or
-/// the one above if the URDF's is called `urdf`. The folder of the package is allowed as well.
+/// nothing unless the file, with symbolic links resolved, lies in one of these folders:
+///   - the robot's folder, that is, the nearest folder above the URDF with a package.xml. If there is none,
+///     it is the URDF's own folder, or the parent of that folder if that folder is called `urdf`;
+///   - the folder of the package, if this folder contains the URDF;
+///   - a folder listed in kMeshFolders.
 std::optional<std::string> mesh_path(const std::string& named, const std::string& urdf);
 
 }  // namespace armtune::internal

@@ -21,7 +21,7 @@ class PairDistances {
   /// call.
   void move_to(double time, const JointVector& q);
 
-  /// Returns a lower bound of the distance of pair k [m].
+  /// Returns a lower bound of the distance of pair k [m]; -infinity if no bound is known.
   double at_least(std::size_t k) const;
   /// Computes the distance of pair k at the current places of arm and cell. Allocates nothing.
   const Closest& compute(std::size_t k);
@@ -42,10 +42,10 @@ class PairDistances {
   std::shared_ptr<const ClearanceModel> model_;
   std::vector<Known> known_;  ///< one per pair
   std::vector<Vec3> parts_;   ///< current positions of the parts of the cell
-  JointVector travel_;        ///< largest joint displacement from 0 for which the levers hold [m]
+  JointVector travel_;        ///< largest |q| for which the levers hold [m]; infinite for revolute joints
   const JointVector* q_ = nullptr;
-  bool beyond_ = false;  ///< a joint has slid farther than that
-  bool placed_ = false;  ///< the poses are those of *q_
+  bool beyond_ = false;  ///< true if the |q| of a joint exceeds travel_
+  bool placed_ = false;  ///< true if poses_ was computed for *q_
   Poses poses_;
   long computed_ = 0;
 };

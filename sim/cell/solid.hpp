@@ -15,11 +15,11 @@ enum class SolidKind { kSphere, kCapsule, kBox, kCylinder, kHull };
 /// core and have a radius of 0.
 struct Solid {
   SolidKind kind = SolidKind::kSphere;
-  double radius = 0.0;  ///< of the sphere or the capsule about its core [m]
+  double radius = 0.0;  ///< of a sphere or a capsule about its core [m]; 0 for the others
   Vec3 size =
-      Vec3::Zero();  ///< box: edges; capsule: its line's length, 0, 0; cylinder: radius, length, 0 [m]
+      Vec3::Zero();  ///< box: edge lengths; capsule: (line length, 0, 0); cylinder: (radius, length, 0) [m]
   std::vector<Vec3> corners;                  ///< of a hull [m]
-  std::vector<std::array<int, 3>> triangles;  ///< of a hull: corners, counter-clockwise from outside
+  std::vector<std::array<int, 3>> triangles;  ///< of a hull: corner indices, counter-clockwise from outside
 };
 
 /// Returns a sphere about the origin. Here and below, all lengths must be positive [m].
@@ -30,7 +30,7 @@ Solid box(const Vec3& edges);
 /// Returns a cylinder along z.
 Solid cylinder(double radius, double length);
 
-/// Returns a point of the solid's core that lies farthest along d, a vector in S of any length but zero.
+/// Returns a point of the solid's core that lies farthest in the direction d. d: vector in S, not zero.
 Vec3 extreme_of_core(const Solid& solid, const Vec3& d);
 
 /// Returns the largest d . x over the points x of the solid. d: unit vector in S.
@@ -45,12 +45,12 @@ struct PlacedSolid {
   Vec3 p_BS = Vec3::Zero();  ///< [m]
 };
 
-/// Returns the largest distance of a point of the placed solid from `point`, a point of B [m]. For a cylinder
-/// it is an upper bound, that of the enclosing box.
+/// Returns the largest distance between `point` and any point of the placed solid [m]. point: in frame B. For
+/// a cylinder this is an upper bound, namely the result for the box around the cylinder.
 double farthest(const PlacedSolid& placed, const Vec3& point);
 
-/// Returns the largest distance of a point of the placed solid from the z axis of B [m]. For a cylinder it is
-/// an upper bound, as above.
+/// Returns the largest distance between the z axis of B and any point of the placed solid [m]. For a cylinder
+/// this is an upper bound as above.
 double farthest_from_z(const PlacedSolid& placed);
 
 }  // namespace armtune::internal

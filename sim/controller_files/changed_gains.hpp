@@ -10,10 +10,12 @@
 
 namespace armtune::internal {
 
-/// Returns the text of the file with new numbers for the gains that differ from its own. Reading this text
-/// returns exactly `gains`. Throws InputError if `gains` are for another kind of controller, or if a gain
-/// that differs has no number in the file. Also throws if a YAML alias shares that number with another place
-/// of the file, or with a gain that needs another value.
+/// Returns the file's text with new numbers for all gains whose value in the file differs from `gains`.
+/// Reading the returned text gives exactly `gains`. Throws InputError if:
+///   - `gains` are for another kind of controller than the file,
+///   - a gain that must change has no number in the file,
+///   - the number of such a gain is shared, through a YAML alias, with another place of the file or with a
+///     gain that needs another value.
 std::string with_gains(const std::string& text, const RosController& controller, const std::string& file,
                        const Gains& gains, const std::vector<std::string>& joints);
 

@@ -185,7 +185,7 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
   const std::string kind = reader.kind();
   const auto n = static_cast<Eigen::Index>(joints.size());
   Gains gains;
-  become(gains, kind, static_cast<int>(n));
+  change_controller(gains, kind, static_cast<int>(n));
   gains.joint_space_gains_p = gains.joint_space_gains_d = JointVector::Zero(n);
   gains.force_control_gains = JointVector::Zero(n);
   std::optional<double> anti_windup;

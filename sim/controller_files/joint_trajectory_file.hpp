@@ -12,11 +12,11 @@ namespace armtune::internal {
 
 /// Returns the gains for an arm with these joints, in their order. All other parameters are ignored. Throws
 /// InputError "FILE:LINE: what" if:
-///   - a joint is missing or not the arm's, or a value is not a number,
-///   - commands are neither efforts nor velocities alone,
-///   - a parameter requires something that is not simulated: clamps that differ in both directions, limits of
-///     the output and anti-windup that depends on them, anti-windup of some joints only, an error deadband,
-///     angle wraparound, or open-loop control by velocities,
+///   - the file lacks a joint of the arm or has a joint that the arm lacks, or a value is not a number,
+///   - the controller commands anything but efforts alone or velocities alone,
+///   - a parameter requires something that armtune does not simulate: an integral clamp that differs in the
+///     two directions, a limit of the output (u_clamp), anti-windup that depends on such a limit, anti-windup
+///     of some joints only, an error deadband, angle wraparound, or open-loop control by velocities,
 ///   - a joint has an integral gain and no clamp, which ROS distributions treat differently.
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);

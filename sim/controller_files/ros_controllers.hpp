@@ -27,8 +27,8 @@ bool may_hold_controllers(std::string_view text);
 /// Returns all controllers of the file, in its order. Throws InputError if the text is not YAML.
 std::vector<RosController> ros_controllers(const std::string& text, const std::string& file);
 
-/// Returns the controller of that name. Without a name it returns the only joint trajectory controller of the
-/// file. Throws InputError that lists the file's controllers if there is none or several.
+/// Returns the controller of that name. Without a name, returns the only joint trajectory controller of the
+/// file. Throws InputError if no controller or more than one fits. The message lists the file's controllers.
 RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,
                                 const std::string& name = {});
 

@@ -9,8 +9,8 @@ namespace armtune::internal {
 /// stands for a missing value.
 std::string cell(double value);
 
-/// Returns the text as a cell. It is in quotes if a reader would otherwise end the cell within it. It begins
-/// with an apostrophe if a spreadsheet would otherwise take it for a formula.
+/// Returns the text as a cell. A text with a comma, a double quote or a line end is put in double quotes. A
+/// text that a spreadsheet would take for a formula gets an apostrophe in front.
 std::string cell(const std::string& text);
 
 }  // namespace armtune::internal

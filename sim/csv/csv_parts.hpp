@@ -13,8 +13,8 @@
 namespace armtune::internal {
 
 /// Reads the first row of `text`, whose cells are `cells`. Throws InputError naming `file` if there is no
-/// first row with a line end, for over 10,000 columns, for two columns of one name and for a quote that is
-/// never closed.
+/// first row with a line end, if it has over 10,000 columns, if two columns have the same name, or if a quote
+/// is never closed.
 std::vector<std::string> read_csv_header(CsvCells& cells, const std::string& text, const std::string& file);
 
 /// Returns the size of the byte order mark that the text begins with; 0 without one.
@@ -23,8 +23,8 @@ std::size_t byte_order_mark(std::string_view text);
 /// Returns the index of a column, or nothing if there is none of that name.
 std::optional<std::size_t> find_csv_column(const std::vector<std::string>& header, std::string_view name);
 
-/// Returns the index of a column. Throws InputError naming file and column, and a similar column, if there is
-/// none of that name.
+/// Returns the index of a column. Throws InputError if there is none of that name. The message names the file
+/// and the column, and suggests a column with a similar name if there is one.
 std::size_t csv_column(const std::vector<std::string>& header, const std::string& file,
                        std::string_view name);
 

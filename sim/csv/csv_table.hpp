@@ -14,8 +14,8 @@ class CsvCells;
 /// The origin of a file. It decides how large the file may be, and whether a last row without a line end is
 /// used.
 enum class CsvOrigin {
-  kArmtune,  ///< up to 256 MB; that row was being written when the run was killed, and is left out
-  kUser,     ///< up to 48 MB; that row is used
+  kArmtune,  ///< up to 256 MB; such a row is left out, because the run was killed while writing it
+  kUser,     ///< up to 48 MB; such a row is used
 };
 
 class CsvTable {

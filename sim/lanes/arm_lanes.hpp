@@ -6,10 +6,10 @@
 // Numbers are written to a lane and read from it for one arm at a time. The steps between are computed for
 // all lanes at once. The results of a lane are bit-identical to those of core's functions for that arm alone.
 //
-// An arm begins with start(). A control period is: sense, measure, seen, follow_task or follow_joints,
-// resolve, torque, adapt, observe, observed, push, step, moved. The arguments are structs of pointers,
-// because code that is compiled for one kind of processor must not share an inline function with other code
-// (scripts/check-lanes).
+// The caller calls start() once for an arm. In every control period it calls these functions in this order:
+// sense, measure, seen, follow_task or follow_joints, resolve, torque, adapt, observe, observed, push, step,
+// moved. The arguments are structs of pointers, because code that is compiled for one kind of processor must
+// not share an inline function with other code (scripts/check-lanes).
 
 #include <memory>
 
@@ -22,7 +22,7 @@ namespace armtune::internal {
 
 /// The models, gains and start state of an arm whose rollout starts in a lane.
 struct LaneStart {
-  const double* control_chain;  ///< every number of the controller's chain (numbers_of)
+  const double* control_chain;  ///< numbers of the controller's chain, in the order of for_each_number
   const double* plant_chain;
   InverseDamping damping;
   LawNumbers law;
@@ -58,7 +58,8 @@ struct LaneSeen {
   double* obstacle_distance;
 };
 
-/// The references of the task (6 each: xr', xr'') or of the joints (n each: qr', qr'').
+/// The reference velocity and acceleration of the task (6 each: xr', xr'') or of the joints (n each: qr',
+/// qr'').
 struct LaneReference {
   const double* velocity;
   const double* acceleration;
@@ -71,8 +72,8 @@ struct LaneTask {
   bool yields;               ///< true in the state avoidObstacles: the arm gives way to the repulsion
 };
 
-/// The addresses to which quantities of the true state are written at the end of a period. The tool is
-/// written only if it differs from the measured one.
+/// The addresses to which quantities of the true state are written at the end of a period. The tool is not
+/// written after observe(true), because its true pose and twist are then the measured ones.
 struct LaneObserved {
   LaneTool tool;
   double* clearance;

@@ -66,7 +66,7 @@ class PackedArm final : public ArmLanes {
     put(lane, sensed.qd, measured_qd_);
     const std::size_t count = sensed.obstacle_count;
     for (std::size_t i = 0; i < count; ++i) put_obstacle(lane, sensed.obstacles + 4 * i, obstacles_[i]);
-    // Obstacles that only other arms have are infinitely far away.
+    // Other lanes may have more obstacles. The ones that this lane lacks are infinitely far away.
     for (std::size_t i = count; i < obstacle_count_; ++i) put_obstacle(lane, kNowhere, obstacles_[i]);
   }
   void measure() override {
@@ -162,7 +162,7 @@ class PackedArm final : public ArmLanes {
           if (poses == nullptr) body_poses(plant_, q, stage_poses_);
           forward_dynamics(plant_, poses == nullptr ? stage_poses_ : *poses, qd, torque_, friction, dynamics_,
                            qdd);
-          poses = nullptr;  // only the first stage is where the step starts
+          poses = nullptr;  // these poses are valid only at the start of the step
         },
         q_, qd_, work_);
   }

@@ -28,15 +28,16 @@ class Spread {
   long count_ = 0;
 };
 
-/// The longest time, over all events, from an event until a value stays below a threshold. Here an event is a
-/// switch of the gaze to another target, and the value is the gaze error.
+/// Measures the time from each event until a value stays below a threshold, and keeps the longest of these
+/// times. Here an event is a switch of the gaze to another target, and the value is the gaze error.
 class Reacquisition {
  public:
-  /// Records a new event at t [s]. The time of the event before ends then at the latest.
+  /// Records a new event at t [s], and ends the measurement for the previous event.
   void start(double t);
   /// Adds a sample at t [s]. outside: true if the value is not below the threshold.
   void add(double t, bool outside);
-  /// Ends the time of the last event and returns the longest time [s]; NaN if there was no event.
+  /// Ends the measurement for the last event at `end` [s]. Returns the longest time of all events [s]; NaN if
+  /// there was no event.
   double longest(double end);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// The frequency response of a loop at the harmonics of a base period. Each harmonic has its own Fourier sums
-// of reference and response.
+// The frequency response of a control loop at the harmonics of a base period. The order of a harmonic is its
+// number of cycles in one base period. Each harmonic has its own Fourier sums of reference and response.
 
 #include <complex>
 #include <vector>
@@ -9,20 +9,22 @@ namespace armtune::internal {
 
 class FrequencyResponse {
  public:
-  /// orders: cycles per base period, increasing. base_period [s].
+  /// orders: the orders of the harmonics, increasing. base_period [s].
   FrequencyResponse(const std::vector<int>& orders, double base_period);
 
-  /// Adds one sample at t [s]. Over whole base periods of evenly spaced samples no order leaks into another.
-  /// Allocates nothing.
+  /// Adds one sample at t [s]. If the samples are evenly spaced in time and cover whole base periods, the
+  /// harmonics do not influence each other's sums. Allocates nothing.
   void add(double t, double reference, double response);
 
-  /// Returns response over reference at the i-th order, as gain and phase.
+  /// Returns the response divided by the reference at the i-th order. Its absolute value is the gain, its
+  /// argument the phase.
   std::complex<double> at(std::size_t i) const { return bins_[i].response / bins_[i].reference; }
   double frequency(std::size_t i) const { return bins_[i].order / base_period_; }  ///< [Hz]
 
-  /// Returns the lowest frequency at which the gain falls 3 dB (1/sqrt(2)) below 1 [Hz], on the straight line
-  /// in log-log between two orders. Returns the highest order's frequency if the gain never falls so far, the
-  /// lowest order's if it starts below, and NaN without samples.
+  /// Returns the lowest frequency [Hz] at which the gain falls to 1/sqrt(2), that is, by 3 dB. Between two
+  /// orders the gain is interpolated by a straight line in logarithmic scales. If the gain never falls so
+  /// far, returns the frequency of the highest order. If the gain is already lower at the lowest order,
+  /// returns the frequency of that order. Returns NaN without samples.
   double bandwidth() const;
 
  private:

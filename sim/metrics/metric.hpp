@@ -107,7 +107,7 @@ inline bool only_worsens(Metric m) {
 /// cell in files.
 struct Metrics {
   std::array<double, kMetricCount> value = filled();
-  std::string max_ratio_joint;  ///< joint of joint_velocity/max_ratio
+  std::string max_ratio_joint;  ///< name of the joint with the largest velocity ratio
 
   double operator[](Metric m) const { return value[static_cast<std::size_t>(m)]; }
   double& operator[](Metric m) { return value[static_cast<std::size_t>(m)]; }
@@ -120,8 +120,8 @@ struct Metrics {
   }
 };
 
-/// Returns what the arm touched, as a clause: "reaches at least 0.02 m into the floor". It is empty if the
-/// arm touched nothing.
+/// Returns a clause that describes what the arm touched, such as "reaches at least 0.02 m into the floor".
+/// Returns an empty text if the arm touched nothing.
 std::string contact_text(const Metrics& metrics);
 
 }  // namespace armtune::internal

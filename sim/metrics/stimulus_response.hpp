@@ -15,17 +15,21 @@
 
 namespace armtune::internal {
 
-/// The stimulus as the reference, and how far the arm has moved in response [m, rad]. The reference is zero
-/// while the stimulus is zero. The response is zero where the arm follows the undisturbed task.
+/// The reference, which is the stimulus, and the response, which is the motion of the arm that it causes [m,
+/// rad]. The reference is zero while the stimulus is zero. The response is zero as long as the arm follows
+/// the undisturbed task exactly.
 struct StimulusSignals {
   double reference = 0.0;
   double response = 0.0;
 };
 
-/// Returns the signals from the undisturbed position of the path or the target [m] and the tool's true pose.
-/// Angles are measured from the line between tool and undisturbed target towards the stimulus, both for the
-/// line to the shifted target and for the tool's z axis. A tool that turns too far has a larger response than
-/// reference. A stimulus along that line does not turn it: both signals are zero.
+/// Returns the signals at t [s]. path, target: undisturbed position of the path or of the target [m]. poses:
+/// poses of the arm, of which the true tool pose is used.
+///
+/// With a target, both signals are angles from the line between tool and undisturbed target, positive towards
+/// the stimulus. The reference is the angle of the line to the shifted target, and the response is the angle
+/// of the tool's z axis. The response exceeds the reference if the tool turns too far. If the stimulus is
+/// parallel to the line, it does not turn the line, and both signals are zero.
 StimulusSignals path_signals(const Stimulus& stimulus, double t, const Vec3& path, const Poses& poses);
 StimulusSignals target_signals(const Stimulus& stimulus, double t, const Vec3& target, const Poses& poses);
 
@@ -35,9 +39,13 @@ class StimulusResponse {
   explicit StimulusResponse(const Scenario& scenario);
 
   void add(const Observation& o);
-  /// Writes the metrics response/*. They stay empty (NaN) unless the arm was in followTrajectory and outside
-  /// a slerp: for a step, just before it; for sines, during the whole measured window. They also stay empty
-  /// if the step of a target ever lies along the line to it, because it then does not turn this line.
+  /// Writes the metrics response/*. The arm counts as tracking if it is in the state followTrajectory and not
+  /// in a slerp. The metrics stay empty (NaN) in these cases:
+  ///   - With a step, the arm was not tracking in the period before the step.
+  ///   - With a step of a target, the step was at some time parallel to the line from tool to target. Such a
+  ///     step does not turn this line.
+  ///   - With sines, the arm was not always tracking in the measured window, or the rollout ended before the
+  ///     window did.
   void write(Metrics& m) const;
 
  private:

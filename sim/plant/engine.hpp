@@ -7,8 +7,8 @@
 namespace armtune::internal {
 
 enum class Engine {
-  kSimbody,  ///< the engine of all reported figures
-  kNative    ///< core's articulated-body dynamics: the same arm several times faster, for searches
+  kSimbody,  ///< the library Simbody, which computes all reported values
+  kNative    ///< armtune's own articulated-body dynamics in core; several times faster, for searches
 };
 
 inline constexpr std::array kEngines = {Engine::kSimbody, Engine::kNative};

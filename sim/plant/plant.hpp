@@ -24,12 +24,17 @@ class Plant {
   virtual const JointVector& qd() const = 0;
 
   /// Advances the state by dt [s] under a constant torque (n) [N m, N]. Friction and rotor inertia come from
-  /// the model. poses: those of the model at q if they have been computed already, else null.
+  /// the model. poses: poses of the model at the current q if they were computed already, else null.
   void step(const JointVector& torque, double dt, const Poses* poses = nullptr) {
     advance(torque, dt, poses);
   }
 
-  /// Computes q'' at any state, from (M + D) q'' + C q' + g = torque - Fv q' - Fc tanh(q'/0.05).
+  /// Computes q'' (n) at any state from the equation of motion
+  ///
+  ///   (M + D) q'' + C q' + g = torque - Fv q' - Fc tanh(q'/0.05).
+  ///
+  /// M: inertia matrix of the links; D: rotor inertia; C q': Coriolis and centrifugal torque; g: gravity
+  /// torque; Fv, Fc: viscous and Coulomb friction.
   virtual void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
                              JointVector& qdd) = 0;
 

@@ -11,7 +11,8 @@ namespace armtune::internal {
 
 class Sensors {
  public:
-  /// The noises are standard deviations [rad, m] and [rad/s, m/s]. No numbers are drawn for one that is zero.
+  /// position_noise, velocity_noise: standard deviations [rad, m] and [rad/s, m/s]. For a standard deviation
+  /// of zero no random numbers are drawn.
   Sensors(double position_noise, double velocity_noise, std::uint64_t seed)
       : position_noise_(position_noise), velocity_noise_(velocity_noise), generator_(seed) {}
 

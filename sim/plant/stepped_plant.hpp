@@ -28,12 +28,13 @@ class SteppedPlant : public Plant {
         stepper_, dt,
         [&](const JointVector& q, const JointVector& qd, JointVector& qdd) {
           evaluate(at_q, q, qd, torque, friction, qdd);
-          at_q = nullptr;  // only the first stage is where the step starts
+          at_q = nullptr;  // these poses are valid only at the start of the step
         },
         q_, qd_, work_);
   }
 
-  /// Computes the accelerations (n) that an integration rule needs within a step. poses: those at q, or null.
+  /// Computes the accelerations qdd (n) for one stage of the integration. poses: poses of the arm at q, or
+  /// null if they are not known. friction: joint friction over this step.
   virtual void evaluate(const Poses* poses, const JointVector& q, const JointVector& qd,
                         const JointVector& torque, const FrictionStep<double>& friction,
                         JointVector& qdd) = 0;

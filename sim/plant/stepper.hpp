@@ -9,9 +9,9 @@
 namespace armtune::internal {
 
 enum class Stepper {
-  kMidpoint,           ///< explicit midpoint, two accelerations: the default
-  kSemiImplicitEuler,  ///< one acceleration, first order
-  kRungeKutta4,        ///< four accelerations
+  kMidpoint,           ///< explicit midpoint rule, two evaluations of f per step; the default
+  kSemiImplicitEuler,  ///< first order, one evaluation of f per step
+  kRungeKutta4,        ///< fourth order, four evaluations of f per step
   kReference           ///< the engine's own error-controlled Runge-Kutta-Merson, accuracy 1e-10
 };
 
@@ -42,10 +42,9 @@ struct StepWorkspaceT {
 };
 using StepWorkspace = StepWorkspaceT<double>;
 
-/// Advances q and qd (n) by h [s]. f(q, qd, qdd) writes the accelerations. qd changes only after the last
-/// call of f.
-/// Plants let f integrate stiff friction implicitly (core/robot/friction_step.hpp). Not for
-/// Stepper::kReference.
+/// Advances q and qd (n) by h [s]. f(q, qd, qdd) writes the accelerations to qdd. In the plants, f treats
+/// stiff friction implicitly (core/robot/friction_step.hpp). For this, f may use the qd at the start of the
+/// step, because qd changes only after the last call of f. Not to be called with Stepper::kReference.
 template <typename T, typename Accelerations>
 void integrate(Stepper stepper, const T& h, Accelerations&& f, JointVectorT<T>& q, JointVectorT<T>& qd,
                StepWorkspaceT<T>& w) {

@@ -34,7 +34,7 @@ class TargetCamera {
   }
 
  private:
-  /// Keeps the camera's noise apart from that of the joint sensors, which start from the same seed.
+  /// Makes the noise of the camera independent of that of the joint sensors, which use the same seed.
   static constexpr std::uint64_t kStream = 0x63616d657261;
 
   const Scenario& scenario_;

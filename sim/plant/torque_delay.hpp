@@ -20,7 +20,7 @@ class TorqueDelay {
   }
 
  private:
-  std::vector<JointVector> line_;  ///< ring: the slot written next is the oldest
+  std::vector<JointVector> line_;  ///< ring buffer; the slot next_ holds the oldest command
   std::size_t next_ = 0;
 };
 

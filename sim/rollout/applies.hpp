@@ -8,13 +8,15 @@
 namespace armtune::internal {
 
 /// Returns true if the metric applies to the scenario. It returns false for:
-///   - clearances without obstacles, or without pairs of bodies of that kind,
-///   - position margins of joints without limits,
-///   - the gaze if the scenario aims at nothing, and reacquisition without a target switch,
-///   - responses without the stimulus that they belong to,
-///   - joint errors without a planned motion,
-///   - the tool's errors if no task follows the planned motion, and its orientation errors if the task is the
-///     position alone.
+///   - the obstacle clearance if there are no obstacles, and any other clearance if there are no pairs of
+///     bodies of that kind,
+///   - the position margin if no joint has position limits,
+///   - the gaze metrics if the tool does not aim at anything, and the reacquisition time if the target never
+///     switches,
+///   - a response metric if the scenario does not have the stimulus that it belongs to,
+///   - the joint errors if there is no planned motion,
+///   - the tool's errors if no task follows the planned motion,
+///   - the tool's orientation errors also if the task is the position alone.
 bool applies(Metric metric, const Scenario& scenario);
 
 }  // namespace armtune::internal

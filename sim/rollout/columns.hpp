@@ -11,12 +11,13 @@
 
 namespace armtune::internal {
 
-/// The value of a column for the control periods since the row before: that of the row's own period, the
-/// largest or the smallest. A limit that is violated between two rows must show in the second one.
+/// The value that a row shows in a column. It is the value in the row's own control period, or the largest or
+/// smallest value in all periods since the previous row. With the largest or smallest value, a limit that is
+/// violated between two rows is visible in the second row.
 enum class Over { kThisPeriod, kLargest, kSmallest };
 
 struct Column {
-  std::string name;  ///< a tree with '/', no commas
+  std::string name;  ///< levels separated by '/', such as "joint/NAME/position"; no commas
   std::string unit;
   std::string meaning;
   std::function<double(const Observation&)> value;
@@ -26,7 +27,7 @@ struct Column {
 /// Returns the columns for a scenario's robot, `time` first. The scenario's robot must outlive them.
 std::vector<Column> rollout_columns(const Scenario& scenario);
 
-/// Returns the columns of any of the scenarios, each name once.
+/// Returns the columns that at least one of the scenarios has. Each name occurs once.
 std::vector<Column> rollout_columns(const std::vector<Scenario>& scenarios);
 
 }  // namespace armtune::internal

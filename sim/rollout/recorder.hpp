@@ -16,9 +16,9 @@ class Recorder {
   /// Records one control period. It is an Observer and always returns true.
   bool operator()(const Observation& o);
 
-  /// Returns the values row by row, one per column. Columns with the largest or smallest value include the
-  /// periods after the last row in that row. completed: if false, the last period has a row of its own
-  /// instead, because that period shows why the rollout failed.
+  /// Returns the values row by row, one per column. completed: true if the rollout ran to its end. Then the
+  /// columns with the largest or smallest value include the periods after the last row in that row. If it is
+  /// false, the last period gets a row of its own, because that period shows why the rollout failed.
   std::vector<double> rows(bool completed = true) &&;
   std::vector<double> rows(bool completed = true) const& { return Recorder(*this).rows(completed); }
 
@@ -32,7 +32,7 @@ class Recorder {
   std::vector<Column> columns_;
   int stride_;
   long seen_ = 0;
-  std::vector<double> row_;     ///< the last period, summarized with those since the row before
+  std::vector<double> row_;     ///< summary of the periods since the previous row
   std::vector<double> values_;  ///< row by row
 };
 

@@ -35,9 +35,9 @@ constexpr const char* name(RolloutStatus status) {
 
 struct RolloutResult {
   RolloutStatus status = RolloutStatus::kCompleted;
-  double end_time = 0.0;  ///< simulated time [s]
+  double end_time = 0.0;  ///< simulated time since the start of the rollout [s]
   std::string reason;     ///< when, where and why it ended; empty if completed
-  Metrics metrics;        ///< up to the end time
+  Metrics metrics;        ///< over all periods up to the end
 };
 
 /// A function that is called once per control period, after the controller and before the plant moves. It

@@ -1,9 +1,10 @@
 #pragma once
 // The state of a rollout that is being simulated: time, sensors, torque delay, metrics, and whether it has
-// ended. It contains what all simulators share. The controller and the plant are computed by its callers, for
-// one arm alone (Rollout) or for several at the same time (RolloutLanes).
+// ended. It contains the parts that all simulators share. Its callers compute the controller and the plant,
+// for one arm alone (Rollout) or for several at the same time (RolloutLanes).
 //
-// The steps of a control period are: sense, control, act, true state, judge, plant, moved.
+// In a control period the caller does these steps in this order. It calls sense(), computes the controller,
+// calls act(), fills in the true state, calls judge(), moves the plant and calls moved().
 
 #include <optional>
 #include <string>
@@ -46,8 +47,9 @@ class RunningRollout {
   const Scene& scene() const { return scene_; }
 
   /// Passes the controller's torque through the delay, and returns the observation with the torque that acts
-  /// now. The caller then fills in the true state. Kd (n): null unless the torque contains -Kd S. All three
-  /// arguments must stay in place until moved() is called.
+  /// now. The caller then fills in the true state. Kd (n): gains of the damping term -Kd S in the torque,
+  /// where S = q' - qr'; null if the torque has no such term. All three arguments must stay in place until
+  /// moved() is called.
   Observation& act(const ControlOutput& control, const ParameterVector& theta, const JointVector* Kd);
   /// Updates the metrics with the complete observation, calls the observer and checks the end limits. Returns
   /// false if the rollout ends here, before the plant moves.

@@ -16,7 +16,8 @@ struct Shake {
   std::string joint;
   double time = 0.0;       ///< when it began [s]
   double frequency = 0.0;  ///< mean [Hz]
-  double swing = 0.0;      ///< largest, from one turning point to the next, over the effort limit; at most 2
+  double swing = 0.0;      ///< largest torque change from one turning point to the next, divided by the
+                           ///< effort limit; at most 2
 };
 
 class ShakeWatch {
@@ -37,24 +38,26 @@ class ShakeWatch {
   struct Run {
     int turns = 0;
     double began = 0.0, ended = 0.0;  ///< time of the first and the last turning point [s]
-    double swing = 0.0;               ///< largest between two of them, as a share of the limit
+    double swing = 0.0;               ///< largest change from one to the next, as a share of the limit
     double frequency() const { return 0.5 * (turns - 1) / (ended - began); }
   };
-  /// The turning points of a joint's torque, found with a hysteresis of the smallest swing that counts.
+  /// The state of the search for the turning points of a joint's torque. The torque has turned once it has
+  /// moved back by the smallest swing that counts (hysteresis). While the direction is not known, `extreme`
+  /// is the highest torque so far and `turned` the lowest.
   struct Turning {
     int direction = 0;     ///< 1: the torque rises, -1: it falls, 0: not known yet
-    double extreme = 0.0;  ///< farthest since the last turn, as a share of the limit; at first the highest
+    double extreme = 0.0;  ///< farthest torque since the last turn, as a share of the limit
     double at = 0.0;       ///< time of the extreme [s]
-    double turned = 0.0;   ///< torque at the last turn, as a share of the limit; at first the lowest
+    double turned = 0.0;   ///< torque at the last turn, as a share of the limit
     Run run;               ///< the current run
-    Run first;             ///< the first run that is long enough; no turns: there was none
+    Run first;             ///< the first run that is long enough to count; turns = 0: none yet
   };
   static void turn(Turning& joint);
 
   std::vector<std::string> joints_;
   JointVector effort_;
   std::vector<Turning> turning_;
-  bool looked_ = false;  ///< before this period
+  bool looked_ = false;  ///< true after the first call of look()
 };
 
 /// Returns, for example, "wrist_3_joint shakes: its torque swings by 1.8 of its effort limit, at 41 Hz, from

@@ -13,7 +13,7 @@ struct World {
   double time = 0.0;                ///< [s]
   std::size_t target = 0;           ///< index of the active target
   MotionPoint<Vec3> target_motion;  ///< of the active target, stimulus included; NaN without targets
-  std::optional<OrientationPoint> orientation;  ///< desired in place of a gaze; none: there is a gaze
+  std::optional<OrientationPoint> orientation;  ///< desired orientation; none: the tool has a gaze target
   MotionPoint<Vec3> on_path;                    ///< of the tool's path, stimulus included
   Vec3 path_shift = Vec3::Zero();               ///< shift of the path by the stimulus [m]
   std::vector<Obstacle> obstacles;

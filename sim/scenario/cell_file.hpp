@@ -12,8 +12,8 @@ namespace armtune::internal {
 
 /// Reads {floor: HEIGHT, parts: [{name, a shape of solid_keys.hpp, rpy_deg, a path of path_file.hpp}, ...]}.
 ///
-/// The floor's height is measured above the base frame's origin, against gravity [m]. The path is that of the
-/// part's centre; a part at rest has `center` alone. Files that are read are added to `inputs`. Throws
+/// The floor's height is measured from the base frame's origin, opposite to gravity [m]. The path is that of
+/// the part's centre; a part at rest has `center` alone. Files that are read are added to `inputs`. Throws
 /// InputError with file, line and key.
 Cell read_cell(const yaml::Node& node, std::vector<std::string>& inputs);
 

@@ -7,11 +7,11 @@
 
 namespace armtune::internal {
 
-/// Returns the path of the file `name_or_path`. With a '/' or the extension of a data or robot file it is a
-/// path. Otherwise it is the name of a bundled file in `folder` ("robots", "scenarios", "gains", "studies").
-/// relative_to: a folder in which relative paths are tried first, that of the file that contains
-/// `name_or_path`; may be empty. Throws InputError if there is no such file. For a name the message lists the
-/// bundled files.
+/// Returns the path of the file `name_or_path`. A text with a '/' or with the extension of a data or robot
+/// file is a path. Any other text is the name of a bundled file in `folder` ("robots", "scenarios", "gains",
+/// "studies"). relative_to: the folder in which a relative path is tried first, for example the folder of the
+/// file that contains the path; may be empty. Throws InputError if there is no such file. If a name was
+/// given, the message lists the bundled files.
 std::string find_data_file(const std::string& folder, const std::string& name_or_path,
                            const std::string& relative_to = {});
 

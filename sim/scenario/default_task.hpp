@@ -12,22 +12,22 @@
 namespace armtune::internal {
 
 struct TaskOptions {
-  /// Height of the floor above the base frame's origin, against gravity [m]. None: an arm with an upright
-  /// base stands on the floor, and any other arm has no floor.
+  /// Height of the floor above the base frame's origin, measured opposite to gravity [m]. Not used if `cell`
+  /// is given. If neither is given, the floor is at the base (height 0) of an arm with an upright base, and
+  /// any other arm has no floor.
   std::optional<double> floor;
-  /// Cell around the arm. With a cell, the floor is that of the cell, or there is none. None: there is at
-  /// most the floor.
+  /// Cell around the arm, with or without a floor. If it is empty, the surroundings are the floor alone.
   std::optional<Cell> cell;
   bool without_floor = false;    ///< no floor, not even below an upright arm
-  std::optional<TaskMask> mask;  ///< none: position and gaze, or position alone where that does not fit
-  bool thorough = false;  ///< tries ten times as many positions: for an arm that can hardly hold itself
+  std::optional<TaskMask> mask;  ///< empty: position and gaze, or position alone if no such task is found
+  bool thorough = false;  ///< tries ten times as many positions, for an arm that can hardly hold its weight
   /// Factor on the duration of one lap of the circle and on the time between target switches [1]. Meant for
   /// an arm that is too slow for the task.
   double slowness = 1.0;
 };
 
-/// Returns true if the task assumes a floor that the options do not give: at the height of the base, under an
-/// upright arm.
+/// Returns true if the task assumes a floor at the height of the base. This is so for an upright arm if the
+/// options give no floor and no cell, and without_floor is false.
 bool assumes_floor(const RobotModel& robot, const TaskOptions& options);
 
 struct DefaultTask {
@@ -36,7 +36,7 @@ struct DefaultTask {
   double manipulability = 0.0;  ///< smallest value on the task
   bool in_given_cell = false;   ///< the cell was given in TaskOptions
   bool without_floor = false;   ///< as in TaskOptions
-  double load = 0.0;            ///< largest fraction of an effort limit that holding the arm still takes
+  double load = 0.0;            ///< largest holding torque of a joint, as a fraction of its effort limit
   int loaded = 0;               ///< index of the joint with that load
 };
 
@@ -49,18 +49,20 @@ struct DefaultTask {
 ///   - the tool stays clear of the arm,
 ///   - links whose shapes are known do not touch each other, and from the third on stay 0.05 m clear of the
 ///     cell,
-///   - holding the arm still takes at most 0.85 of each effort limit.
+///   - the torque that holds the arm still is at most 0.85 of each joint's effort limit.
 ///
-/// The start position of the simulation is off the circle. It is moved closer to it if holding the arm on the
-/// way takes more than on the circle and more than half of an effort limit. It keeps at least 1/32 of its
-/// distance. The arm tracks position and gaze. It tracks the position alone if it has too few joints for more
-/// or if no place for more is found. The plant has noise, a delay of one period and a payload of two per cent
-/// of the arm's mass. The controller starts with masses that are too low, so that high gains have a price.
-/// Throws InputError with the reason if no place is found.
+/// The simulation starts at joint positions off the circle. These are moved closer to the circle if holding
+/// the arm still on the way to the circle takes too much torque: more of an effort limit than on the circle,
+/// and more than half of it. At least 1/32 of the original distance remains.
+///
+/// The arm tracks position and gaze. It tracks the position alone if it has too few joints for both, or if no
+/// place for both is found. The plant has noise, a delay of one period and a payload of two per cent of the
+/// arm's mass, and the controller starts with masses that are too low. High gains therefore have
+/// disadvantages too. Throws InputError with the reason if no place is found.
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options = {});
 
-/// Returns the task of default_task and up to `count` - 1 (count >= 1) others, the preferred ones first. They
-/// are at other places, or smaller at the same places. Throws InputError if there is none.
+/// Returns up to `count` (>= 1) tasks, the preferred ones first. The first is the task of default_task. The
+/// others are at other places, or are smaller circles at the same places. Throws InputError if there is none.
 std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, const TaskOptions& options,
                                        std::size_t count);
 

@@ -125,7 +125,7 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
   Gains gains;
   if (const yaml::Node* named = map.optional(kController)) {
     try {
-      become(gains, named->as_string(), static_cast<int>(joints.size()));
+      change_controller(gains, named->as_string(), static_cast<int>(joints.size()));
     } catch (const InputError& e) {
       named->fail(e.what());
     }

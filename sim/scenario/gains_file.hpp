@@ -10,18 +10,20 @@
 
 namespace armtune::internal {
 
-/// Reads and validates bundled gains by name, or a file by path. The file is armtune's own or a ROS parameter
-/// file with joint trajectory controllers (sim/controller_files). `controller: NAME` names the controller of
-/// the gains; the default is the adaptive one.
+/// Reads and validates bundled gains by name, or a gains file by path. The file is either in armtune's own
+/// format or a ROS parameter file with joint trajectory controllers (sim/controller_files).
 ///
-/// The fields are at the top or under one key of any name (the published `simple_effort_ctrl`), or one below
-/// another (ROS 2's node and `ros__parameters`). The path of the published file (circularTrajectory*) is
-/// accepted and ignored, because the scenario gives the tool's path. So are the parameters that ROS 2 gives
-/// every node. node: name of the controller in a ROS parameter file that has several. Throws InputError.
+/// In armtune's format, `controller: NAME` gives the kind of controller; the default is the adaptive one. The
+/// gains are at the top level, or below one key of any name (`simple_effort_ctrl` in the published file), or
+/// below nested keys (the node and `ros__parameters` in ROS 2). Two groups of keys are accepted and ignored:
+///   - the path of the published file (circularTrajectory*), because the scenario gives the tool's path,
+///   - the parameters that ROS 2 gives every node.
+///
+/// node: name of the controller, needed if a ROS parameter file has several. Throws InputError.
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
                  const std::string& relative_to = {}, const std::string& node = {});
 
-/// Returns a field's value as text for such a file.
+/// Returns the value of a field as text for a gains file.
 std::string field_text(const Gains& gains, const GainField& field);
 
 /// Returns the tool's path of a published file (circularTrajectory*) as keys and values in YAML, so that the
@@ -33,10 +35,10 @@ using GainsKeys = std::vector<std::string>;
 inline const GainsKeys kPublishedKeys = {"simple_effort_ctrl"};
 inline constexpr const char* kRos2Parameters = "ros__parameters";  ///< the last key of a ROS 2 file
 
-/// Returns the gains as the text of such a file. Numbers read back to the same bits, also for readers of YAML
-/// 1.1 and for readers that distinguish 5 from 5.0, as those of ROS do. header: comment lines without '#'.
-/// others: keys with values in YAML that follow the gains. Below the key `ros__parameters` no list contains a
-/// list.
+/// Returns the gains as the text of a gains file. Numbers read back to the same bits, also for readers of
+/// YAML 1.1 and for readers that distinguish 5 from 5.0, as those of ROS do. header: comment lines without
+/// '#'. others: further keys and their values in YAML, to be written after the gains. If `keys` contains
+/// `ros__parameters`, a list of lists is written as one flat list, because ROS 2 has no lists of lists.
 std::string gains_yaml(const Gains& gains, const std::vector<std::string>& header,
                        const GainsKeys& keys = kPublishedKeys,
                        const std::vector<std::pair<std::string, std::string>>& others = {});

@@ -22,12 +22,12 @@ class MotionChecks {
   /// linear between them, and checks the positions where each joint reverses.
   void between_knots() const;
 
-  /// Throws InputError if a joint leaves its limits between two points. `motion` is any motion through the
-  /// points, and is checked at 31 times between two of them.
+  /// Throws InputError if a joint leaves its limits between two points. motion: any motion through the
+  /// points. It is checked at 31 times between each point and the next.
   void between_points(const JointSpline& motion) const;
 
-  /// Throws InputError naming the first point that does not match the point before it: with linear
-  /// acceleration between the two, its position or velocity would be different.
+  /// Throws InputError naming the first point that does not match the point before it. Two points match if a
+  /// motion with linear acceleration from the first one reaches the position and velocity of the second one.
   void steps() const;
 
  private:

@@ -12,9 +12,9 @@
 namespace armtune::internal {
 
 struct MotionPoints {
-  std::vector<double> time;                      ///< rising, from 0 s or later on
+  std::vector<double> time;                      ///< increasing, the first one is not negative [s]
   std::vector<MotionPoint<JointVector>> points;  ///< n joints each [rad or m, and per s, per s^2]
-  PointsGive given = PointsGive::kPositions;     ///< what the file gives; all else is zero
+  PointsGive given = PointsGive::kPositions;     ///< quantities in the file; all others are zero
   std::string file;                              ///< name of the file in messages
   std::vector<std::size_t> lines;                ///< line of each point in the file
 

@@ -15,8 +15,9 @@ std::size_t line_of(std::size_t row);
 /// Returns the number in a cell. Throws InputError naming file, line and column unless it is finite.
 double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path);
 
-/// Returns column `time` [s]: at least two times that rise from zero or later on. Throws InputError naming
-/// file and line otherwise, and also for Unix time stamps.
+/// Returns the column `time` [s]. Throws InputError naming the file and, where known, the line if there are
+/// fewer than two times, if the times do not rise, if the first one is negative, or if it looks like a Unix
+/// time stamp.
 std::vector<double> rising_times(const CsvTable& table, const std::string& path);
 
 }  // namespace armtune::internal

@@ -15,13 +15,13 @@ namespace armtune::internal {
 ///
 ///   rpy_deg: [roll, pitch, yaw]   fixed; about the base's x, then y, then z axis, as in a URDF
 ///   quaternion: [w, x, y, z]      fixed
-///   along_path: [x, y, z]         the tool's x axis along the path, its z axis as close to this as possible
+///   along_path: [x, y, z]         tool's x axis along the path, z axis as close to [x, y, z] as possible
 ///   waypoints: FILE.csv           columns time, qw, qx, qy, qz: a spline through them, at rest at both ends
 ///
 /// path: the tool's path in the same scenario. File names are relative to the folder of the file that
 /// contains them. Files that are read are added to `inputs`. Throws InputError with file, line and key. With
-/// along_path it also throws, with the time, if the path stops or reverses, or is parallel to the given
-/// direction of z.
+/// along_path it also throws, with the time, if the path stops or reverses, if the path is parallel to
+/// [x, y, z], or if the tool would turn faster than 100 rad/s.
 // clang-format on
 ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::vector<std::string>& inputs);
 

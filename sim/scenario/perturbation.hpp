@@ -17,14 +17,14 @@ struct Perturbation {
   double mass = 0.2;
   double center = 0.01;  ///< [m]
   double inertia = 0.2;
-  double rotor = 0.2;  ///< for an estimated rotor inertia, any value but 0 means kRotorFactor
+  double rotor = 0.2;  ///< an estimated rotor inertia varies by a factor up to kRotorFactor, unless this is 0
   double friction = 0.5;
-  double payload = 0.0;  ///< [kg]; zero: the scenario's own stays
+  double payload = 0.0;  ///< [kg]; zero: the payload of the scenario is not changed
   double delay = 1.0;    ///< control periods, a whole number
   double noise = 0.5;
   double theta = 0.1;
   double target_speed = 0.2;
-  bool phases = true;  ///< each target and each obstacle starts anywhere on its path
+  bool phases = true;  ///< each target and each obstacle starts at a random point of a path that repeats
 };
 
 /// A width with its name in YAML and on the command line.
@@ -40,12 +40,12 @@ struct PerturbationField {
 /// Returns every width, in order.
 std::span<const PerturbationField> perturbation_fields();
 
-/// Returns the default widths: those of Perturbation, and payloads up to three times the heaviest that one of
-/// the scenarios carries.
+/// Returns the default widths of Perturbation, but with payloads of up to three times the heaviest payload of
+/// any of the scenarios.
 Perturbation default_perturbation(std::span<const Scenario> scenarios);
 
-/// Returns widths of zero that also leave the phases unchanged. A perturbed scenario then differs only in the
-/// seed of the noise.
+/// Returns a perturbation in which all widths are zero and `phases` is false. A scenario that is perturbed
+/// with it changes only in the seed of its noise.
 Perturbation no_perturbation();
 
 /// Throws InputError, with `where` in front, naming field, value and limit.
@@ -55,9 +55,10 @@ void validate(const Perturbation& perturbation, const std::string& where = "pert
 /// the robot file and the controller's model stay as they are.
 Scenario with_rotors_scaled(const Scenario& scenario, double factor);
 
-/// Returns the scenario with another plant, other phases and other noise. They are drawn by mt19937_64 from
-/// (seed, sample) alone. Factors the scenario already has are multiplied; the controller's model stays as it
-/// is. Throws InputError if the perturbation is not valid.
+/// Returns the scenario with a randomly changed plant, start value of theta, target speeds, phases and noise.
+/// The changes are drawn by mt19937_64 and depend on (seed, sample) alone. Factors that the scenario already
+/// has are multiplied by the drawn factors. The controller's robot model stays as it is. Throws InputError if
+/// the perturbation is not valid.
 Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, std::uint64_t seed,
                    std::uint64_t sample);
 

@@ -22,12 +22,14 @@ PlannedFile read_planned_node(const yaml::Node& node);
 
 /// Reads a planned motion from a CSV file or a trajectory message.
 ///
-/// A CSV file has `time` [s] and, for each joint of the robot, `joint/NAME/position` or simply `NAME`. All or
-/// none of the joints have `joint/NAME/velocity` and `/acceleration` (rad or m; per second, whatever the unit
-/// of time). Other columns are ignored. Points are interpolated as follows:
-///   - as ROS does: a message, rows with velocities and no accelerations, and with `segments: as_ros`;
-///   - otherwise, with accelerations: linear acceleration between rows;
-///   - otherwise, positions alone: the cubic spline, at rest at both ends.
+/// A CSV file has the column `time` [s] and, for each joint of the robot, `joint/NAME/position` or simply
+/// `NAME`. It may also have `joint/NAME/velocity` for all joints, and then `joint/NAME/acceleration` for all
+/// joints. Their unit of time is the second, even if `time` has another unit. Other columns are ignored.
+///
+/// The points are interpolated in one of these ways:
+///   - as ROS does, if the file is a message, has velocities but no accelerations, or has `segments: as_ros`;
+///   - otherwise, with linear acceleration between rows, if the file has accelerations;
+///   - otherwise, by the cubic spline through the positions, which is at rest at both ends.
 ///
 /// Throws InputError with file, line, column, value and limit if a column or a number is missing, times do
 /// not rise from 0 s on, a position is outside the joint's limits, or the position or velocity of a row does

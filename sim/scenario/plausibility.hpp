@@ -14,7 +14,7 @@ struct ProposedValue {
   std::string key;    ///< of the robot YAML: limits, inertia, hold
   std::string name;   ///< joint or link
   std::string field;  ///< key in the map of that name; empty: the value belongs to the name itself
-  std::string value;  ///< empty: armtune can propose none; the arm's maker has it
+  std::string value;  ///< empty: armtune cannot propose a value; the arm's maker can give it
 };
 
 struct Doubt {
@@ -22,10 +22,13 @@ struct Doubt {
   std::vector<ProposedValue> proposed = {};
 };
 
-/// Returns what is doubtful; empty if nothing is. Doubtful are: links too light for their joint's effort,
-/// inertia that no body of that mass can have, rotor inertia far from what the limits suggest, position
-/// limits and velocities that look like degrees, efforts that cannot hold the arm, and a last joint that
-/// moves like a gripper's finger.
+/// Returns everything that is doubtful; empty if nothing is. Doubtful are:
+///   - links that are too light for the effort limit of their joint,
+///   - link inertia that is too large or too small for the link's mass (radius of gyration),
+///   - rotor inertia far from the value that the joint's limits suggest,
+///   - position and velocity limits that look like degrees,
+///   - effort limits that are too low to hold the arm still,
+///   - a last joint with a range as small as that of a gripper's finger.
 std::vector<Doubt> doubts_with_proposals(const RobotModel& robot);
 
 /// Returns the sentences of these doubts, without proposals.

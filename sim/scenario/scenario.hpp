@@ -32,11 +32,12 @@ struct TargetTurn {
 };
 
 /// The start value of theta, the dynamic parameters with which the controller computes torques. It is either
-/// model_scale times the parameters of the robot's model, or it comes from a file.
+/// model_scale times the parameters of the robot's model, or it comes from a file. In both cases it is then
+/// multiplied by `factors`.
 struct ThetaStart {
   double model_scale = 0.0;  ///< 0: the controller starts without knowledge; 1: with the robot's model
-  std::string file;          ///< theta by name in YAML, with its values in `given`; empty: model_scale counts
-  JointVector factors;       ///< applied last, to each link's and its joint's parameters; n or empty (all 1)
+  std::string file;          ///< YAML file with theta by name, read into `given`; empty: model_scale is used
+  JointVector factors;       ///< one for the parameters of each link and its joint; n or empty (all 1)
   ParameterVector given{};   ///< 13 n, or empty
 };
 
@@ -47,12 +48,12 @@ struct PlantConditions {
   double velocity_noise = 0.0;   ///< [rad/s, m/s]
   int torque_delay_periods = 0;  ///< whole control periods
   Payload payload;               ///< at the tool, unknown to the controller
-  JointVector viscous_friction;  ///< unknown to the controller, on top of the model's; n or empty
+  JointVector viscous_friction;  ///< added to the model's, unknown to the controller; n or empty
   JointVector coulomb_friction;
-  JointVector mass_factors;     ///< on each link's mass, first moment and inertia alike; n or empty (all 1)
-  JointVector inertia_factors;  ///< then on its inertia about the centre of mass; n or empty
+  JointVector mass_factors;     ///< factor on each link's mass, first moment and inertia; n or empty (all 1)
+  JointVector inertia_factors;  ///< also on its inertia about the centre of mass alone; n or empty (all 1)
   Eigen::Matrix3Xd center_offsets;  ///< of each link's centre of mass, link frame [m]; 3 x n or empty (all 0)
-  JointVector rotor_factors;        ///< on each joint's rotor inertia; n or empty
+  JointVector rotor_factors;        ///< factor on each joint's rotor inertia; n or empty (all 1)
 };
 
 /// The camera that measures the positions of the gaze targets. The controller estimates their motion from
@@ -75,20 +76,20 @@ struct Scenario {
   double duration = 0.0;        ///< from start_time on [s]
   double control_period = 0.0;  ///< [s]
   JointVector start_position;   ///< [rad, m]
-  JointVector goal_position;    ///< on the task, for gains without a joint_space_goal; empty: they need one
-  JointVector start_velocity;   ///< the planned motion's; empty: at rest
-  std::shared_ptr<const JointSpline> planned;  ///< the motion that is followed first; null: leaveSingularity
+  JointVector goal_position;    ///< on the task; replaces a missing joint_space_goal; empty: gains need one
+  JointVector start_velocity;   ///< velocity of the planned motion at start_time; empty: at rest
+  std::shared_ptr<const JointSpline> planned;  ///< followed first; null: the first state is leaveSingularity
   Path path;                                   ///< of the tool, base frame
   TaskMask mask = TaskMask::kPose;             ///< the part of path and gaze that the arm tracks
   bool holds_end = false;  ///< the task is to stay where the planned motion ended, and aims at nothing
   std::vector<NamedPath> targets;  ///< of the gaze; empty: `orientation` gives the tool's orientation
   std::optional<ToolOrientation> orientation;
-  double switch_every = 0.0;         ///< time between target switches [s]; 0: none, or those of `schedule`
-  std::vector<TargetTurn> schedule;  ///< rising; the first target before it; empty: `switch_every` counts
-  std::optional<Camera> camera;      ///< none: the controller knows the targets' motion
+  double switch_every = 0.0;         ///< time between target switches [s]; 0: only those of `schedule`
+  std::vector<TargetTurn> schedule;  ///< in order of time; begins at target 0; empty: `switch_every` applies
+  std::optional<Camera> camera;      ///< none: the controller receives the true motion of the targets
   std::vector<MovingObstacle> obstacles;
   std::shared_ptr<const ClearanceModel> clearance;  ///< of the arm from itself and its cell; null: no cell
-  std::optional<Stimulus> stimulus;                 ///< added to path or target, unknown to the controller
+  std::optional<Stimulus> stimulus;                 ///< test signal that shifts the path or the target
   ThetaStart theta;
   PlantConditions plant;
   std::uint64_t seed = 1;  ///< of the noise
@@ -107,13 +108,14 @@ struct Scenario {
   double next_switch(double t) const;
 };
 
-/// Reads a bundled scenario by name, or a file by path. `base: NAME` (or a list) takes every top-level key
-/// from other files first, and the file's own keys replace those as a whole. Throws InputError.
+/// Reads a bundled scenario by name, or a file by path. With `base: NAME` (or a list) in a file, the
+/// top-level keys of these other files are read first. A key of the file itself then replaces the value of
+/// the base as a whole. Throws InputError.
 Scenario load_scenario(const std::string& name_or_path);
 
 /// Returns the gains that a rollout of the scenario uses. The gains that scale the feedback loop are
-/// multiplied by loop_gain, and a missing joint_space_goal is taken from the scenario. Throws InputError if
-/// neither has one and the scenario has no planned motion.
+/// multiplied by loop_gain. A missing joint_space_goal is replaced by goal_position. If that is missing too,
+/// it is replaced by start_position if the scenario has a planned motion; otherwise throws InputError.
 Gains with_goal(Gains gains, const Scenario& scenario);
 
 /// Returns the model of the simulated arm: the robot's model with the factors of `plant` applied, then

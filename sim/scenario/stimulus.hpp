@@ -23,7 +23,7 @@ struct Multisine {
   std::vector<int> orders;     ///< cycles per base period, increasing
   std::vector<double> phases;  ///< one per order [rad]
   double from = 0.0;           ///< start; the signal is zero before it [s]
-  int periods = 0;             ///< base periods that are measured, after one for the transients
+  int periods = 0;             ///< number of base periods that are measured, after one for transients
 
   /// Returns the start of the measured window [s]; window_end() returns its end.
   double window_start() const { return from + base_period; }
@@ -39,7 +39,7 @@ struct Stimulus {
 
   /// Returns the time from which the stimulus acts [s].
   double start() const;
-  /// Returns the displacement along the direction at t [s]: [m]. Allocates nothing.
+  /// Returns the displacement [m] along the direction at time t [s]. Allocates nothing.
   double value(double t) const;
   /// Returns the offset to the position, base frame [m].
   Vec3 at(double t) const { return value(t) * direction; }
@@ -52,10 +52,10 @@ inline bool reached(double t, double event) {
   return t >= event - kRounding;
 }
 
-/// Returns phases [rad] that keep the peak of equal sines low: those of Schroeder 1970 (Synthesis of
-/// low-peak-factor signals, IEEE Trans. Inf. Theory 16), where the group delay grows with the power of the
-/// lower sines. For orders 1 2 3 .. N, phase n is -pi n (n - 1) / N and the crest factor is below 2. Orders
-/// with wide gaps reach a crest factor of 3, that of random phases.
+/// Returns phases [rad] that keep the peak of a sum of equal sines low (Schroeder 1970, Synthesis of
+/// low-peak-factor signals, IEEE Trans. Inf. Theory 16). The group delay grows with the power of the lower
+/// sines. For the orders 1, 2, 3, ..., N, the phase of order n is -pi n (n - 1) / N, and the crest factor is
+/// below 2. For orders with wide gaps, the crest factor can reach 3, the value of random phases.
 std::vector<double> schroeder_phases(const std::vector<int>& orders);
 
 }  // namespace armtune::internal

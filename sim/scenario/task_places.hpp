@@ -9,9 +9,10 @@
 
 namespace armtune::internal {
 
-/// Largest fraction of an effort limit that holding the arm still may take.
+/// Largest allowed torque that holds the arm still, as a fraction of the joint's effort limit.
 inline constexpr double kMostLoad = 0.85;
-/// Distance from a joint limit, as a fraction of the joint's range, above which the score does not rise.
+/// Distance from a joint limit, as a fraction of the joint's range. A larger distance does not improve the
+/// score.
 inline constexpr double kEnoughMargin = 0.2;
 
 struct TaskPlace {
@@ -20,10 +21,15 @@ struct TaskPlace {
   double manipulability = 0.0;  ///< for the components of the tool's motion that the mask selects
 };
 
-/// Returns the best 200 of a fixed series of joint positions, best first. A position scores high if the arm
-/// has a high manipulability, its joints are far from their limits, the tool points down and is higher than
-/// `lowest` [m] against gravity, and holding the arm still takes little torque. thorough: tries ten times as
-/// many positions, keeps only those that are high enough and take at most kMostLoad, and returns up to 500.
+/// Returns the best 200 of a fixed series of joint positions, best first. A position has a high score if:
+///   - the manipulability is high,
+///   - the joints are far from their limits,
+///   - the tool points down,
+///   - the tool is higher than `lowest` [m], measured from the base frame's origin opposite to gravity,
+///   - little torque holds the arm still.
+///
+/// thorough: true to try ten times as many positions and return up to 500. Then only positions are returned
+/// with the tool higher than `lowest` and a torque below kMostLoad.
 std::vector<TaskPlace> task_places(const RobotModel& robot, TaskMask mask, double lowest, bool thorough);
 
 }  // namespace armtune::internal

@@ -16,14 +16,15 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario);
 /// The problem of a task under given gains.
 struct TaskTrouble {
   std::string text;  ///< one sentence; empty: there is no problem
-  /// True if a joint drifts along the path until it leaves its position limits, with any gains.
+  /// True if, with any gains, a joint drifts along the path until it leaves its position limits.
   bool winds = false;
 };
 
-/// Walks along the task and returns the problem (trouble) that it finds. The walk begins on the path near the
-/// joint_space_goal of the gains, at which the controller's state leaveSingularity ends. If no start is found
-/// there, it begins at best_start_of_task(). If that has none either, this is the problem. Returns no problem
-/// for a scenario with a planned motion. Throws InputError if neither gains nor scenario have a goal.
+/// Walks along the task and returns the problem that trouble() finds. The walk begins on the path near the
+/// joint_space_goal of the gains, at which the controller's state leaveSingularity ends. If there is no start
+/// position on the path near this goal, it begins at best_start_of_task(). If that throws, its message is the
+/// problem. Returns no problem for a scenario with a planned motion. Throws InputError if neither gains nor
+/// scenario have a goal.
 TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains);
 inline std::string task_trouble(const Scenario& scenario, const Gains& gains) {
   return find_task_trouble(scenario, gains).text;

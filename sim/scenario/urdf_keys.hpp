@@ -2,7 +2,7 @@
 // Reads those keys of a robot YAML that select the arm within a URDF and add data that the URDF lacks:
 //   base_link, tip_link: NAME
 //   tool: {xyz: [m], rpy: [rad],                               the tool frame in the tip link
-//          mass:, center:, moments:,                           what is mounted there, as under inertia
+//          mass:, center:, moments:,                           inertia of the tool, as under inertia
 //          shapes: [{box: [x, y, z], center: [m], rpy_deg:}]}  and its shapes (solid_keys.hpp)
 //   hold: {JOINT: rad or m}                                    joints that do not move
 //   limits: {JOINT: {lower:, upper:, velocity:, effort:}}      each may be left out; held joints may have
@@ -21,10 +21,10 @@ namespace armtune::internal {
 /// URDF; the reader of the URDF does.
 UrdfOptions read_urdf_options(yaml::MapReader& map);
 
-/// Returns a robot YAML, or lines to add to one, with an empty value for everything that is missing. The user
-/// fills in the values; reading the file reports each empty value with its line. An inertia that no rigid
-/// body can have is replaced by the nearest possible one. urdf: path for the key `urdf` at the top; empty:
-/// the text has no such key.
+/// Returns a robot YAML, or lines to add to one, with an empty value for each missing limit, mass and moment.
+/// The user fills in the values; reading the file reports each empty value with its line. A missing centre of
+/// mass is written as zero. An inertia that no rigid body can have is replaced by the nearest possible one.
+/// urdf: path for the key `urdf` at the top; empty: the text has no such key.
 std::string missing_yaml(const std::string& urdf, const MissingData& missing);
 
 }  // namespace armtune::internal

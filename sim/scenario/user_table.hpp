@@ -16,7 +16,8 @@ namespace armtune::internal {
 struct UserTable {
   std::string path;
   yaml::FileUnits units = {};
-  /// Column names in place of the file's own line of names, if it has one. Empty: the file's own names.
+  /// Column names that replace the names in the file, or supply them if the file has none. Empty: the names
+  /// in the file are used.
   std::vector<std::string> columns = {};
   bool has_units = false;  ///< true if units were declared
 

@@ -24,20 +24,20 @@ struct PathWalk {
   /// The initial value of a minimum.
   static constexpr double kUnseen = std::numeric_limits<double>::infinity();
 
-  WalkPlace left;   ///< first time off the path by more than a millimetre; value 0: never
+  WalkPlace left;   ///< first place more than a millimetre off the path; value 0: there is none
   WalkPlace error;  ///< largest distance of the tool from the path [m]
-  WalkPlace manipulability{0.0, Vec3::Zero(), kUnseen};  ///< smallest, of the task's components (equation 4)
+  WalkPlace manipulability{0.0, Vec3::Zero(), kUnseen};  ///< smallest, for the task (NOTATION.md, equation 4)
   WalkPlace margin{0.0, Vec3::Zero(),
                    kUnseen};  ///< smallest distance to a joint limit, as a share of the joint's range
   WalkPlace sight{0.0, Vec3::Zero(),
-                  kUnseen};  ///< smallest distance from the path to the target looked at [m]
+                  kUnseen};  ///< smallest distance of the active target from the path point [m]
   WalkPlace low{0.0, Vec3::Zero(),
                 kUnseen};  ///< smallest height of the tool and of the third and later joints [m]
   WalkPlace fold{0.0, Vec3::Zero(),
-                 kUnseen};  ///< smallest distance of the tool from the arm's first n - 2 joints [m]
+                 kUnseen};  ///< smallest distance of the tool from lines joining the first n - 2 joints [m]
   /// Smallest distances of the arm from itself and its cell; infinite in a scenario without a cell.
   LeastClearances nearest;
-  WalkPlace load;  ///< largest fraction of an effort limit that holding the arm still takes
+  WalkPlace load;  ///< largest holding torque of a joint, as a fraction of its effort limit
   double largest_manipulability = 0.0;
   int joint = 0;       ///< index of the joint with the smallest margin
   int loaded = 0;      ///< index of the joint with the largest load
@@ -45,7 +45,8 @@ struct PathWalk {
   double ended = 0.0;  ///< time at which the walk ended [s]
 };
 
-/// Returns the height of a point of the base frame above that frame's origin, against gravity [m].
+/// Returns the height of a point above the origin of the base frame, measured opposite to gravity [m]. point:
+/// in the base frame [m].
 double height_of(const Vec3& point, const RobotModel& robot);
 
 /// Replaces `found` by `place` if the value of `place` is smaller, or if either value is NaN.

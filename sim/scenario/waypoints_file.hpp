@@ -1,8 +1,9 @@
 #pragma once
 // Reads the waypoints of a path from a user's CSV file, with the columns time [s], x, y, z [m, base frame].
-// Waypoints of a tool may have an orientation, in the columns qw, qx, qy, qz of a quaternion, with or without
-// the position. Cells are separated by commas, semicolons, tabs or blanks, and names may have capitals. A
-// scenario that refers to the file can declare other units, and the columns of a file without column names.
+// Waypoints of a tool may have an orientation, as a quaternion in the columns qw, qx, qy, qz. These columns
+// can replace the position or be added to it. Cells are separated by commas, semicolons, tabs or blanks, and
+// names may have capitals. A scenario that refers to the file can declare other units, and the columns of a
+// file without column names.
 
 #include "core/trajectory/position_spline.hpp"
 #include "core/trajectory/tool_orientation.hpp"
@@ -14,9 +15,9 @@ namespace armtune::internal {
 /// [time, x, ...]}. Throws InputError with file, line and key.
 UserTable read_waypoints_node(const yaml::Node& node);
 
-/// Reads the positions and returns the cubic spline through them. It is at rest before its beginning and
-/// after its end, where its acceleration jumps. of_poses: true if the file may also have the columns of an
-/// orientation. Throws InputError naming file, line and column.
+/// Reads the positions and returns the cubic spline through them. The motion is at rest before the first and
+/// after the last waypoint; its acceleration jumps at both. of_poses: true if the file may also have the
+/// columns of an orientation. Throws InputError naming file, line and column.
 PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses);
 
 /// Reads the orientations and returns the rotation through them (turning_through). The file may also have the

@@ -14,8 +14,8 @@ struct FileUnits {
   double torque = 1.0;
 };
 
-/// Reads {time: s, ms, us or ns, length: m, cm, mm or in, angle: rad or deg, torque: N m or mN m}. A key that
-/// is left out stands for SI. allowed: the keys that may be given, with blanks between them. Throws
+/// Reads {time: s, ms, us or ns, length: m, cm, mm or in, angle: rad or deg, torque: N m or mN m}. If a key
+/// is left out, its SI unit applies. allowed: the keys that may be given, with blanks between them. Throws
 /// InputError with file, line and key for any other key.
 FileUnits read_file_units(const Node& node, const char* allowed);
 

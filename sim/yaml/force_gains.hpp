@@ -7,10 +7,10 @@
 
 namespace armtune::internal::yaml {
 
-/// Returns n numbers, or n x n numbers row by row [N]. Force points are listed in joint order or under their
-/// joints' names, and so are the numbers of each force point. A list of n x n plain numbers is accepted for
-/// the second form because ROS 2 has no lists of lists. Throws InputError with file, line and key if a joint
-/// is missing or unknown, a count is wrong, or numbers and lists are mixed.
+/// Returns n numbers, or n x n numbers with one row per force point [N]. In the file, the force points are a
+/// list in joint order or a map by joint name. The n numbers of a force point can be given in the same two
+/// ways. n x n numbers may also be one flat list, because ROS 2 has no lists of lists. Throws InputError with
+/// file, line and key if a joint is missing or unknown, a count is wrong, or numbers and lists are mixed.
 ForceGains force_gains(const Node& node, const std::vector<std::string>& joints);
 
 }  // namespace armtune::internal::yaml

@@ -19,7 +19,7 @@ using Placed = std::shared_ptr<const PlacedValue>;
 struct PlacedEntry {
   std::string key;  ///< in a map
   Placed value;
-  bool alias = false;  ///< true if it is written elsewhere, and is here by an alias or a merge key
+  bool alias = false;  ///< true if the value is written elsewhere and used here by an alias or a merge key
 };
 
 struct PlacedValue {
@@ -29,11 +29,11 @@ struct PlacedValue {
   int line = 1;                      ///< counted from 1
   std::string text;                  ///< of a scalar
   std::size_t begin = 0;             ///< offset of a plain scalar in the file [byte]
-  std::size_t end = 0;               ///< offset behind it; not above begin if it has no place
+  std::size_t end = 0;               ///< offset of the first byte after it; end <= begin: not a plain scalar
   std::vector<PlacedEntry> items;    ///< of a list
   std::vector<PlacedEntry> entries;  ///< of a map, in the order of the file
 
-  /// True for a scalar that is written exactly as it reads: neither quoted nor tagged, folded or empty.
+  /// True for a scalar whose text in the file is exactly `text`: neither quoted nor tagged, folded or empty.
   bool has_place() const { return end > begin; }
   /// Returns the value at `key` of a map, or null if the key is absent or this is not a map.
   const PlacedValue* find(std::string_view key) const;

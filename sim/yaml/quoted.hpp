@@ -8,13 +8,13 @@
 namespace armtune::internal::yaml {
 
 /// Returns the text in double quotes. Quotes, backslashes and characters that are not printable (see
-/// is_printable) are escaped, because some of the latter end a line for some readers. YAML cannot express a
-/// byte that is not UTF-8; it becomes the character with that number.
+/// is_printable) are escaped, because for some readers some of the latter end a line. YAML cannot express a
+/// byte that is not UTF-8; such a byte becomes the character with the same code.
 std::string quoted(const std::string& text);
 
-/// Returns the text unchanged if no reader can take it for anything else, in a list or as a key. It then
-/// begins with a letter or '_', continues with letters, digits, '_', '-', '.' and '/', and is not a word for
-/// a truth value or null. Returns any other text quoted.
+/// Returns the text unchanged if every YAML reader reads it as this text, in a list or as a key. Such a text
+/// begins with a letter or '_', continues with letters, digits, '_', '-', '.' and '/', and is not a YAML word
+/// for true, false or null. Returns any other text quoted.
 std::string word(const std::string& text);
 
 /// Returns a line "KEY: VALUE" of a map, indented. The key is written as a word. If it is longer than readers

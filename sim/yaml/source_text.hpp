@@ -10,8 +10,9 @@ namespace armtune::internal::yaml {
 [[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path,
                           std::string_view what);
 
-/// Throws InputError for text that is not UTF-8 and for control characters. yaml-cpp replaces what is not
-/// UTF-8, silently ends a file at the character 4, keeps NUL in values and guesses UTF-16.
+/// Throws InputError for text that is not UTF-8 and for control characters. Without this check, yaml-cpp
+/// would replace bytes that are not UTF-8, silently end the file at a character with code 4, keep NUL in
+/// values, and take some texts for UTF-16.
 void check_characters(std::string_view text, const std::string& file);
 
 /// Returns true if the quote at the beginning of `text` is closed in it, or if no quote is there.

@@ -117,7 +117,7 @@ TEST(Controllers, ThatLearnNothingAreNotLeftWithNothingSilently) {
   const test::TemporaryFolder folder;
   const auto warned = [&](const char* controller, const char* scale) {
     const Scenario moving = test::scenario_of("moving_target");
-    const Gains gains = controlled_by(controller_kind(controller), test::quick_gains(moving), *moving.robot,
+    const Gains gains = convert_gains(controller_kind(controller), test::quick_gains(moving), *moving.robot,
                                       in_si(*moving.robot, test::quick_gains(moving).joint_space_goal));
     folder.write("gains.yaml", gains_yaml(gains, {}));
     folder.write("task.yaml", std::string("base: moving_target\nduration: 1\ntheta_start: {model_scale: ") +

@@ -30,7 +30,7 @@ TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
   const Finished identified =
       run_program({"identify", "--robot", "ur10", excite + "/log_moving_target.csv", "--out", found});
   ASSERT_EQ(identified.exit_code, 0) << identified.err;
-  EXPECT_THAT(identified.out, HasSubstr("52 base parameters of 78"));
+  EXPECT_THAT(identified.out, HasSubstr("52 base parameters"));
   const auto table = test::read_csv(found + "/base_parameters.csv");
   EXPECT_EQ(table.rows.size(), 52U);
   for (const std::string& run : {excite, found}) {

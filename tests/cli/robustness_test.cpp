@@ -61,10 +61,11 @@ TEST(Robustness, NamesTheLimitThatIsBroken) {
   const Finished strict = robustness(folder, short_scenario(folder), "strict",
                                      {"--samples", "2", "--limit", "joint_velocity/max_ratio<=0.01"});
   EXPECT_EQ(strict.exit_code, 3) << strict.err;
-  EXPECT_THAT(strict.out, AllOf(HasSubstr("0.0 % of 2 random arms"),
-                                HasSubstr("2 of 2 random arms break 'joint_velocity/max_ratio <= 0.01'"),
-                                HasSubstr("samples 0 1"), HasSubstr("Simulation checks: failed: yield, "),
-                                HasSubstr("threshold 0.95\nNot checked: ")));
+  EXPECT_THAT(strict.out,
+              AllOf(HasSubstr("0.0 % of 2 random arms"),
+                    HasSubstr("2 of 2 random arms break 'joint_velocity/max_ratio <= 0.01'"),
+                    HasSubstr("sample numbers 0 1"), HasSubstr("Simulation checks: failed: yield, "),
+                    HasSubstr("threshold 0.95\nNot checked: ")));
   // A limit in place of the arm's own leaves those unchecked that it does not imply.
   EXPECT_THAT(strict.out, AllOf(HasSubstr("joint_position/min_margin >= 0, because --limit replaces it"),
                                 testing::Not(HasSubstr("joint_velocity/max_ratio <= 1, because"))));

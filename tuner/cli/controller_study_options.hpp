@@ -11,7 +11,7 @@ class App;
 
 namespace armtune::internal::cli {
 
-/// Adds the options. required: true if the command cannot do anything without them.
+/// Adds the options. required: true if all three must be given; otherwise all three or none must be given.
 void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inputs, bool required);
 
 /// Writes the study and prints the assumptions made; see write_controller_study. Returns the study's path.

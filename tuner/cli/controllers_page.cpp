@@ -21,7 +21,7 @@ const char* shape(const GainField& field) {
 
 std::string range(const GainField& field) {
   if (field.search == SearchRange::kNone) return "";
-  if (field.search == SearchRange::kCriticalDamping) return "0 to max(Kp^2/4, 2 start)";
+  if (field.search == SearchRange::kCriticalDamping) return "0 to max(Kp^2/4, 2*start)";
   return fmt::format("{:.3g} to {:.3g} times the start", field.lower_factor, field.upper_factor);
 }
 
@@ -44,11 +44,12 @@ std::string controllers_text() {
     add_rows(fields_of(*kind), true, text);
   }
   return text +
-         "\n* tuned by default, within the range shown; 'the start' is the gain's start value.\n"
+         "\n* tuned by default, within the range shown. 'start' is the start value of the gain.\n"
+         "Kp is the start value of task_space_gains_p for the same axis.\n"
          "number: one value; per joint: one for each joint; per point: one for each joint origin or link;\n"
          "task: six values, for x y z and for the rotations about x y z.\n"
-         "A gains file names its controller with the key 'controller: NAME'; without this key it is for the\n"
-         "adaptive controller.\n"
+         "A gains file names its controller with the key 'controller: NAME'; without this key the file is\n"
+         "for the adaptive controller.\n"
          "To tune another controller than the one in a study: armtune tune STUDY --controller NAME\n";
 }
 

@@ -40,8 +40,8 @@ std::string endurance_table(const std::vector<EnduranceResult>& results) {
       text += fmt::format("kept every limit for {:.4g} minutes", r.simulated / 60.0);
       if (!std::isnan(r.rms_growth)) {
         text += fmt::format(
-            "; at the end, the RMS error is {:.2f} and the peak error {:.2f} times its value "
-            "at the beginning",
+            "; from the first to the last minutes, the RMS error changes by the factor {:.2f} and the peak "
+            "error by the factor {:.2f}",
             r.rms_growth, r.peak_growth);
       }
     }

@@ -20,7 +20,7 @@ CLI::Option* add_endurance_option(CLI::App& command, double& minutes);
 /// Prints for each scenario how its task continues when the scenario is extended.
 void say_how_extended(const std::vector<Scenario>& scenarios);
 
-/// Returns one line per scenario: how long the arm kept every limit, or which limit it broke first.
+/// Returns one line per scenario: how long the arm stayed within all limits, or which one it exceeded first.
 std::string endurance_table(const std::vector<EnduranceResult>& results);
 
 }  // namespace armtune::internal::cli

@@ -43,7 +43,7 @@ ExciteSettings settings_of(const Arguments& args) {
     const RobotModel& robot = *settings.scenarios.emplace_back(load_scenario(name)).robot;
     if (robot.name == settings.model->name && joint_names(robot) != joint_names(*settings.model)) {
       throw InputError(fmt::format(
-          "{}: the scenario's robot is called {} like ROBOT, but has other joints; give the robot "
+          "{}: the scenario's robot has the same name as ROBOT, {}, but other joints; give the robot "
           "file of the scenario as ROBOT",
           name, robot.name));
     }
@@ -76,7 +76,9 @@ void add_motion_options(CLI::App& command, Arguments& args) {
                   "joint positions around which the arm moves [deg; m for prismatic joints] (default: the "
                   "middle of the position limits)")
       ->delimiter(',');
-  command.add_option("--amplitude", d.amplitude, "largest distance of a joint from its centre [rad, m]")
+  command
+      .add_option("--amplitude", d.amplitude,
+                  "largest distance of a joint from its --center position [rad, m]")
       ->check(CLI::Range(1e-3, 10.0))
       ->capture_default_str();
   command.add_option("--margin", d.margin, "share of the velocity and effort limits that the motion may use")
@@ -129,7 +131,7 @@ void add_excite_command(CLI::App& app, int& exit_code) {
                       "carries no payload unless --payload is given");
   command
       ->add_option("--torque-noise", settings.log.torque_noise,
-                   "standard deviation of the logged torques [N m]")
+                   "standard deviation of the noise that is added to the logged torques [N m, N]")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command->add_flag("--payload", settings.log.payload,

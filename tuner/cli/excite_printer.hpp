@@ -1,6 +1,6 @@
 #pragma once
-// Prints the progress and the results of `armtune excite`. That command designs a trajectory from which an
-// arm's dynamics can be identified, and simulates logs of it.
+// Prints the progress and the results of `armtune excite`. This command designs a trajectory from which an
+// arm's dynamics can be identified. It also simulates it and writes logs like those of a real arm.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/identification/session/excite_session.hpp"

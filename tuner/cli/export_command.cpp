@@ -85,27 +85,28 @@ void add_export_command(CLI::App& app, int& exit_code) {
   command->add_option("RUN_OR_GAINS", args->what.set, "run folder, gains file or bundled gains")->required();
   command
       ->add_option("--format", args->format,
-                   "format of the output: yaml for armtune, ros1 for 'rosparam load', ros2 for --params-file")
+                   "format of the output: yaml for armtune, ros1 for 'rosparam load', ros2 for the ROS 2 "
+                   "option --params-file")
       ->check(CLI::IsMember(gains_format_names()))
       ->capture_default_str();
   CLI::Option* into = command->add_option(
       "--into", args->into,
-      "ROS parameter file of a joint_trajectory_controller; --out becomes a copy of this file in which only "
+      "ROS parameter file of a joint_trajectory_controller; the output is a copy of this file in which only "
       "the gains are changed");
   into->excludes("--format");
   command->add_option(
       "--node", args->node,
-      "node or namespace of the parameters in the output (default: simple_effort_ctrl; for ros2, /** is the "
-      "default, which means every node). With --into: name of the controller, if the file has several");
+      "node or namespace of the parameters in the output (default: simple_effort_ctrl; with ros2 the "
+      "pattern /**, which means every node). With --into: name of the controller, if the file has several");
   command->add_option(
       "--robot", args->what.robot,
       "arm that the gains are made for: a bundled robot, a robot YAML or a URDF (default: the arm of the "
       "run's study; for gains outside a run folder, ur10)");
   into->needs(command->add_option("--out", args->file, "new file for the output (default: standard output)"));
   command->footer(
-      "A comment at the top of the file lists the study, seed and inputs of the gains, how close the\n"
-      "simulated joints came to their limits, and the order of the numbers. The line above each gain has\n"
-      "its unit. Read docs/ros.md before the first motion of a real arm.\n\n"
+      "A comment at the top of the file lists the study, the seed and the input files of the run, how close\n"
+      "the simulated joints came to their limits, and the order of axes and joints in lists of numbers. The\n"
+      "line above each gain has its unit. Read docs/ros.md before the first motion of a real arm.\n\n"
       "Example:\n"
       "  armtune export runs/tuned --format ros2 --out gains.yaml\n"
       "  armtune export runs/moves --into ros2_controllers.yaml --out tuned_controllers.yaml");

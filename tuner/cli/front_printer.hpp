@@ -1,6 +1,6 @@
 #pragma once
-// Prints the progress and the results of `armtune pareto`, which searches for the Pareto front of a study,
-// such as accuracy against joint velocity.
+// Prints the progress and the results of `armtune pareto`. This command searches for the Pareto front of a
+// study: the best compromises between several criteria, such as accuracy and joint velocity.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/front_session.hpp"

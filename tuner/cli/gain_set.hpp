@@ -12,8 +12,9 @@ namespace armtune::internal::cli {
 /// Returns the path of the gains file of a run folder. Any other name is returned unchanged.
 std::string gains_name(const std::string& set);
 
-/// Returns the scenarios called `names`. If there are none, returns those of the run folder's study, else the
-/// scenarios called `otherwise`. Throws InputError if two share a name.
+/// Returns the scenarios called `names`. If `names` is empty and `set` is a run folder with a study, returns
+/// the scenarios of this study. In all other cases, returns the scenarios called `otherwise`. Throws
+/// InputError if two of the scenarios have the same name.
 std::vector<Scenario> scenarios_of(const std::string& set, const std::vector<std::string>& names,
                                    const std::vector<std::string>& otherwise);
 
@@ -23,7 +24,8 @@ struct GainSet {
 };
 
 /// Reads the gains of a set, for the robot of the first scenario. scenarios: at least one. Throws InputError
-/// if they do not fit the robot of every scenario, or if a path winds a joint up beyond its limits.
+/// if the gains do not fit the robot of every scenario. Also throws if a path makes a joint drift in one
+/// direction until it exceeds its position limits.
 GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios);
 
 /// Returns the gains of a file, which is read for each scenario's robot. name: name of the set in tables.

@@ -54,7 +54,7 @@ void add_identify_command(CLI::App& app, int& exit_code) {
                       "new folder for theta.yaml, base_parameters.csv, robot.urdf and other results "
                       "(default: no files)");
   command->add_option("--columns", settings.columns_path,
-                      "YAML file (column map) that names the log column of each quantity, and the factors "
+                      "YAML file (column map) with the log column of each quantity, and with the factors "
                       "that convert other units to SI units");
   command
       ->add_option("--cutoff", settings.options.rows.cutoff,
@@ -81,7 +81,7 @@ void add_identify_command(CLI::App& app, int& exit_code) {
       "Record a motion that moves every joint through its range at several speeds (armtune excite designs "
       "one), then:\n"
       "  armtune identify log.csv --robot my_arm.yaml --out runs/identified\n"
-      "A scenario whose controller starts from the result has the line:\n"
+      "To start the controller of a scenario from the result, add this line to the scenario:\n"
       "  theta_start: {file: runs/identified/theta.yaml}\n"
       "Example of a column map (--columns):\n"
       "  time: t\n"

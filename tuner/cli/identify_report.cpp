@@ -64,8 +64,8 @@ void print_fit(const RobotModel& model, const Identification& found) {
   print_unexplained(model, found);
   print_not_excited(found);
   say(
-      fmt::format("\n{} samples, {} equations fitted and {} held out for the check; {} base parameters of {} "
-                  "parameters; condition number {:.4g}\n",
+      fmt::format("\n{} samples, {} equations fitted and {} held out for the check; {} base parameters "
+                  "(independent combinations of {} parameters); condition number {:.4g}\n",
                   found.samples, found.fitted.rows * model.n(), found.held_out.rows * model.n(),
                   found.base.rank(), found.theta.size(), found.estimate.condition));
   if (found.made_physical) {

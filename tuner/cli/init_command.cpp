@@ -22,10 +22,10 @@ void add_init_command(CLI::App& app, int&) {
   add_controller_study_options(*command, *inputs, true);
   command->add_option("--out", *folder, "new folder for the study")->required();
   command->footer(
-      "Writes study.yaml with the gains to tune, the objective and the constraints. For each motion it\n"
-      "writes a scenario with assumed values of sensor noise and delay. If no file gives the arm's\n"
-      "rotor inertia, it also writes robot.yaml with an estimate. Change the values that differ on your\n"
-      "robot, then tune. 'armtune tune' with the same options does both at once.\n\n"
+      "The command writes study.yaml with the gains to tune, the objective and the constraints. For each\n"
+      "motion it writes a scenario with assumed values of sensor noise and delay. If no file gives the\n"
+      "arm's rotor inertia, it also writes robot.yaml with an estimate. Change the values that differ on\n"
+      "your robot, then tune. With the same options, 'armtune tune' writes a study and tunes it at once.\n\n"
       "Example:\n"
       "  armtune init --robot ur5e --controllers ros2_controllers.yaml --trajectory moves.csv --out mine\n"
       "  armtune tune mine/study.yaml --out runs/mine");

@@ -9,11 +9,12 @@
 
 namespace armtune::internal::cli {
 
-/// Returns the flag that is true once the user asked to stop. The first signal sets it. Another signal, half
-/// a second later or more, ends the program at once.
+/// Returns the flag that is true once the user asked to stop. The first signal sets it. A further signal ends
+/// the program at once if it comes more than half a second after the first one.
 std::atomic<bool>& stop_requested();
 void catch_interrupts();
-/// Ignores these signals. Called in a process that another process stops, such as a rank other than 0.
+/// Ignores SIGINT, SIGTERM and SIGHUP from now on. Called in a process that another process stops, such as an
+/// MPI rank other than 0, and in a process that has nothing left to save.
 void ignore_interrupts();
 
 /// Returns the words of the command line, for provenance. For a resumed run see resumed_arguments.
@@ -23,7 +24,7 @@ std::string& command_line();
 /// Returns the program's name as the user typed it, for advice in messages.
 std::string& program_name();
 
-/// Returns the number of threads to use by default: one per processor, or one among ranks.
+/// Returns the default number of threads: one per processor, or one if the run has several MPI ranks.
 int default_workers();
 
 }  // namespace armtune::internal::cli

@@ -85,11 +85,11 @@ std::string help_footer() {
   }
   text += fmt::format(
       "\n"
-      "A closed loop holds if its rollout completes, keeps the limits, and saturates a joint's torque in at\n"
-      "most {} % of the control periods. An unstable loop chatters between the torque limits long before it\n"
-      "diverges or tracks much worse. The search moves away from the nominal value in steps until the loop\n"
-      "fails. It then bisects, down to one control period of delay or 2 % of any other quantity. A margin\n"
-      "is 'none' if the loop fails at the nominal value already.\n"
+      "The closed loop counts as stable if its rollout completes, keeps the limits, and has saturated\n"
+      "torques in at most {} % of the control periods. An unstable loop chatters between the torque limits\n"
+      "long before it diverges or tracks much worse. The search moves away from the nominal value in steps\n"
+      "until the loop fails. It then bisects until a delay is known to one control period, and any other\n"
+      "quantity to 2 %. A margin is 'none' if the loop fails at the nominal value already.\n"
       "\nExample:\n  armtune margins extended_tuned --scenarios moving_target realistic_moving_target "
       "--limit 'joint_velocity/max_ratio<=0.9'\n",
       100.0 * kSaturatedShare);

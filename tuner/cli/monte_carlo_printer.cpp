@@ -36,8 +36,8 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
   constexpr std::size_t kShown = 8;
   for (const auto& [what, numbers] : breaks) {
     say(fmt::format(
-        "{}: {} of {} random arms break '{}': samples {}{}\n", what.first, numbers.size(), samples.size(),
-        what.second,
+        "{}: {} of {} random arms break '{}': sample numbers {}{}\n", what.first, numbers.size(),
+        samples.size(), what.second,
         fmt::join(numbers.begin(),
                   numbers.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, numbers.size())), " "),
         numbers.size() > kShown ? " ..." : ""));

@@ -10,10 +10,10 @@
 
 namespace armtune::internal::cli {
 
-/// Runs `program` in this process alone, or in each of the ranks that mpirun or srun started. Returns its
-/// exit code, which is the same in every rank. If ranks were started with different command lines, they end
-/// before they call `program`. A command that uses ranks calls team().begin and returns kDone if that is
-/// false. Only rank 0 prints.
+/// Runs `program` in this process alone, or in each of the ranks that mpirun or srun started. Returns the
+/// exit code of the run, which is the same in every rank. If ranks were started with different command lines,
+/// they end before they call `program`. In `program`, a command that uses ranks calls team().begin. If this
+/// returns false, the command returns kDone. Only rank 0 prints.
 int on_ranks(const std::string& command_line, const std::function<int()>& program);
 
 /// Returns the group of ranks of this run. To be called only inside the `program` of on_ranks.
@@ -23,9 +23,9 @@ RankGroup& team();
 /// several tasks without MPI.
 void refuse_ranks(const std::string& command);
 
-/// Prints an error on stderr and returns the exit code. Ranks other than 0 print nothing and return kDone. An
-/// error before they can reach rank 0 occurs in all ranks alike, and mpirun would end rank 0 before it prints
-/// if another rank failed first.
+/// Prints an error on stderr and returns the exit code. Ranks other than 0 print nothing and return kDone.
+/// The reason is that mpirun ends all ranks once one of them fails, and rank 0 must print its message first.
+/// An error that occurs before the ranks are connected occurs in rank 0 too.
 int report(const std::exception_ptr& failure);
 
 /// Help texts of --workers and --rollout-deadline.

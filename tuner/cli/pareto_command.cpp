@@ -49,15 +49,15 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   add_controller_option(*command, args->controller);
   command
       ->add_option("--criteria", settings.criteria,
-                   "two or three criteria of the front. Each is 'objective', the study's objective, or a "
-                   "metric; its worst value over the scenarios counts")
+                   "two or three criteria of the front: metrics, or the word objective for the study's "
+                   "objective. The worst value of a metric over the scenarios counts")
       ->expected(2, 3)
       ->capture_default_str();
   command
       ->add_option(
           "--levels", settings.levels,
-          "number of upper bounds to try for each criterion except the first. Under each bound, the first is "
-          "minimised twice (default: 12, or 4 with three criteria)")
+          "number of upper bounds to try for each criterion except the first. Under each bound or pair of "
+          "bounds, the first criterion is minimised twice (default: 12, or 4 with three criteria)")
       ->check(CLI::Range(2, 1000));
   command
       ->add_option("--max-evaluations", settings.max_evaluations,

@@ -45,7 +45,7 @@ void print_infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
     say(fmt::format("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned))));
   say(limits_text(binding_limits(planned),
                   planned.too_short ? "limits that prevent a shorter time:" : "limits reached or exceeded:"));
-  say(fmt::format("Allow {}; if the difference is small, try --knots above {}.\nNo trajectory was written.\n",
+  say(fmt::format("Allow {}; if only little is missing, try --knots above {}.\nNo trajectory was written.\n",
                   planned.too_short ? "more time, or wider limits or tolerances"
                                     : "wider limits or tolerances, or another start state",
                   planned.trajectory.time.size() - 1));
@@ -69,7 +69,7 @@ std::string plan_text(const PlanTask& task, const PlanOutcome& outcome) {
 void print_solved(const PlanOutcome& outcome, const PlanSettings& settings) {
   const std::string& folder = settings.folder;
   say(plan_text(settings.task, outcome));
-  say(fmt::format("wrote {}: {}\nto simulate it: armtune simulate {}/{}\n", folder,
+  say(fmt::format("wrote {}: {}\nto simulate the plan: armtune simulate {}/{}\n", folder,
                   fmt::join(outcome.files, ", "), folder, planned_scenario_name(settings.task)));
 }
 
@@ -90,8 +90,8 @@ int print_plan(const PlanOutcome& outcome, const PlanSettings& settings) {
       fmt::print(
           stderr,
           "{}: no solution found after {} steps (constraint violation {:.1e}: {}; KKT residual {:.1e}). The "
-          "task may still have one: try another number of --knots, wider limits or tolerances, or another "
-          "start state\n",
+          "task may still have a solution: try another number of --knots, wider limits or tolerances, or "
+          "another start state\n",
           task.name, last.iteration, last.violation, sentence(worst_violation(planned)),
           std::max(last.stationarity, last.complementarity));
       return kFailed;

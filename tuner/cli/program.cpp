@@ -105,8 +105,9 @@ int parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done, and every simulation check passed; 1 failed; 2 usage or bad input; 3 done, but a "
-      "simulation check failed or nothing feasible was found; 130 interrupted, everything so far saved.");
+      "Exit codes: 0 done, and every simulation check passed; 1 failed; 2 wrong usage or bad input; 3 done, "
+      "but a simulation check failed or nothing feasible was found; 130 interrupted (a run that can be "
+      "resumed has saved everything so far).");
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("armtune: {}; see 'armtune --help' or 'armtune COMMAND --help'\n",
                        one_line(error.what()));

@@ -45,10 +45,11 @@ void add_report_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", args->path, "new file (default: DIR/report.html, which is replaced)");
   command->footer(
       "The page needs neither a server nor a network. Sections for which the folder has no data are left\n"
-      "out. Meshes of the arm are drawn if they are binary STL files in the robot's folder. This is the\n"
-      "folder of the URDF, or the nearest folder above it with a package.xml. To allow further folders,\n"
-      "list them in the environment variable ARMTUNE_MESHES, as FOLDER:FOLDER, or as PACKAGE=FOLDER for a\n"
-      "ROS package.\n\n"
+      "out. Meshes of the arm are drawn if they are binary STL files in the robot's folder. The robot's\n"
+      "folder is the nearest one with a package.xml, from the folder of the URDF upwards. Without a\n"
+      "package.xml, it is the folder of the URDF, or the folder above if the URDF lies in a folder 'urdf'.\n"
+      "To allow further folders, list them in the environment variable ARMTUNE_MESHES, as FOLDER:FOLDER, or\n"
+      "as PACKAGE=FOLDER for a ROS package.\n\n"
       "Example:\n  armtune report runs/ur10_gaze_20261121-103000\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

@@ -22,10 +22,10 @@ void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& p
 
 /// Returns the words of the command line to run, beginning with the program's name. Without --resume they are
 /// `words`. With --resume they are the words that the folder's run was started with, then --resume and the
-/// folder, then the options that may change (--workers, --rollout-deadline, --live). The current folder is
-/// changed to the one in which the run was started; if that is gone, it stays, with a warning. Throws
-/// InputError if the folder holds no journal, if its run was started by another command or through the
-/// library, or if `words` holds further words.
+/// folder, then those options in `words` that may change (--workers, --rollout-deadline, --live). The current
+/// folder is changed to the one in which the run was started. If that one does not exist any more, a warning
+/// is printed instead. Throws InputError if the folder holds no journal, if its run was started
+/// by another command or through the library, or if `words` contains any other option or argument.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
 
 /// Returns the word in a form that a shell reads as one word.

@@ -76,9 +76,10 @@ void show_rotors(const RobotModel& model) {
     figures.push_back(fmt::format("{:.3g}", estimated.chain.rotor_inertia[i]));
   say(fmt::format(
       "\nNo rotor inertia is given for {}. Geared joints have rotor inertia. Without it, light\n"
-      "wrists become unstable at gains that the real arm tolerates. Give it in a robot YAML with\n"
-      "'rotor_inertia: [...]'. Or write 'rotor_inertia: estimated': the limits suggest [{}].\n"
-      "--task estimates it.\n",
+      "wrists are unstable in simulation at gains that the real arm tolerates. Give it in a\n"
+      "robot YAML with 'rotor_inertia: [...]', or write 'rotor_inertia: estimated' for this\n"
+      "estimate from the effort and velocity limits: [{}].\n"
+      "The option --task uses the estimate.\n",
       lacking.size() == std::size_t(model.n()) ? "the joints" : fmt::format("{}", fmt::join(lacking, ", ")),
       fmt::join(figures, ", ")));
 }
@@ -114,8 +115,8 @@ void show_interfaces(const RobotModel& model) {
                   state.empty() ? "none" : fmt::format("{}", fmt::join(state, ", "))));
   if (!without_effort.empty())
     say(fmt::format(
-        "armtune's controllers command effort, but the URDF gives {} no effort interface.\n"
-        "Only the controller joint_trajectory_controller_velocity commands velocity.\n",
+        "The URDF gives {} no command interface for effort. All controllers of armtune command\n"
+        "effort, except joint_trajectory_controller_velocity, which commands velocity.\n",
         without_effort.size() == model.joints.size() ? "these joints"
                                                      : fmt::format("{}", fmt::join(without_effort, ", "))));
 }
@@ -128,8 +129,8 @@ void warn_of_huge_shapes(const RobotModel& model, const ArmSolids& arm) {
     const double size = farthest(solid.placed, solid.placed.p_BS);
     if (size <= kHuge * reach(model) || !named.insert(solid.link).second) continue;
     print_warning(fmt::format(
-        "{}: a collision shape extends {:.3g} m, but the reach of the whole arm is {:.3g} m; if it is a mesh "
-        "in millimetres, add scale=\"0.001 0.001 0.001\" in the URDF",
+        "{}: a collision shape extends {:.3g} m, but the reach of the whole arm is {:.3g} m; if the shape is "
+        "a mesh in millimetres, add scale=\"0.001 0.001 0.001\" in the URDF",
         solid.link, size, reach(model)));
   }
 }
@@ -152,7 +153,9 @@ void show_contacts(const RobotModel& model) {
         contacts.pairs().size()));
   const std::vector<std::string> left_out = contacts.left_out_by_their_make();
   if (!left_out.empty())
-    say(fmt::format("Not checked, because their shapes touch at nearly every position: {}.\n",
+    say(
+        fmt::format("Self-collision is not checked between links whose shapes touch at nearly every "
+                    "position: {}.\n",
                     fmt::join(left_out, "; ")));
 }
 
@@ -181,7 +184,7 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
   if (found.task.without_floor)
     print_warning(
         "no first task was found above the height of the arm's base, so this task has no floor; if the arm "
-        "stands on a floor, give its height with --floor");
+        "stands on a floor, give the height of the floor with --floor");
   if (!found.task.scenario.clearance)
     print_warning(
         "no shapes of the arm's links are known, so collisions of the arm with itself and its surroundings "
@@ -266,9 +269,10 @@ void look_at(const std::string& name_or_path, const std::string& sidecar, const 
   }
   MissingData to_fill_in = missing;
   to_fill_in.impossible.clear();
-  throw InputError(fmt::format(
-      "{}: missing: {}. The option --sidecar arm.yaml writes a robot YAML {}", file.path, named(missing),
-      to_fill_in.empty() ? "with the nearest possible inertia" : "where you can fill in these values"));
+  throw InputError(fmt::format("{}: missing: {}. The option --sidecar arm.yaml writes a robot YAML {}",
+                               file.path, named(missing),
+                               to_fill_in.empty() ? "with the nearest physically possible inertia"
+                                                  : "where you can fill in these values"));
 }
 
 void list_bundled() {
@@ -299,7 +303,7 @@ void add_robot_command(CLI::App& app, int&) {
   command
       ->add_option("--task", *task,
                    "new folder for a first task: a scenario with a circular path, start gains with which the "
-                   "simulated arm completes it, and a study that tunes these gains")
+                   "simulated arm completes this scenario, and a study that tunes these gains")
       ->excludes("--sidecar");
   auto options = std::make_shared<TaskOptions>();
   command

@@ -103,7 +103,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   add_stepper_option(*command, args->stepper);
   add_run_options(*command,
                   "new folder for samples.csv, summary.csv, verdict.yaml, run.yaml and report.html (default: "
-                  "runs/robustness_<time>; with --sample no folder is written)",
+                  "runs/robustness_<time>, or no files with --sample)",
                   args->settings.place, args->settings.options.workers, args->settings.deadline);
   command->footer(
       "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "

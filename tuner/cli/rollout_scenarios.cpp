@@ -97,8 +97,8 @@ void refuse_changed(const Scenario& scenario, const std::string& run, const Inpu
     for (const auto& [then, hash] : inputs) {
       if (then != shown || hash == hash_of_input(file)) continue;
       throw InputError(
-          fmt::format("{}: this file has changed since the run {} simulated the scenario {}; simulate it "
-                      "again, or use the file as it is now with --scenarios {}",
+          fmt::format("{}: this file has changed since the run {} simulated the scenario {}; simulate the "
+                      "scenario again, or use the file as it is now with --scenarios {}",
                       shown, run, scenario.name, scenario.name));
     }
   }

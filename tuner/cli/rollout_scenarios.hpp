@@ -9,14 +9,16 @@
 
 namespace armtune::internal::cli {
 
-/// Returns the run folder that a folder with rollouts belongs to. This is the folder itself, or its parent if
-/// the run keeps one of its gain sets in the folder.
+/// Returns the run folder that a folder with rollouts belongs to. A run may keep the rollouts of each gain
+/// set in a subfolder. Therefore this is the parent of the folder if only the parent has a run.yaml,
+/// otherwise the folder itself.
 std::string run_of(const std::string& folder);
 
 /// Loads the scenarios called `names`. If `names` is empty, returns the scenario of every
-/// rollout_<scenario>.csv in the folder. These come from the run's study, from the files that its run.yaml
-/// names, or are bundled. Throws InputError if there is no rollout, if a scenario is not found, or if a file
-/// has changed since the run was made. The message tells the user what to give instead.
+/// rollout_<scenario>.csv in the folder. A scenario is searched first in the run's study, then among the
+/// files that the run's run.yaml names, then among the bundled scenarios. Throws InputError if there is no
+/// rollout, if a scenario is not found, or if a file of a scenario has changed since the run was made. The
+/// message tells the user what to give instead.
 std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::vector<std::string>& names);
 
 }  // namespace armtune::internal::cli

@@ -98,20 +98,20 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
   command->add_option("RUN", args->run, "the folder of a tuning run")->required();
   command->add_option(
       "--out", args->folder,
-      "new folder for sensitivity.csv and reduced_study.yaml, the study with the less important half "
-      "of the gains fixed at their start values (default: no files)");
+      "new folder for sensitivity.csv and reduced_study.yaml (default: no files). In the reduced study, the "
+      "less important half of the gains is fixed at the start values");
   command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);
   command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
-      "importance  increase of the merit if only this gain is set back to its start value\n"
+      "importance  increase of the merit of the best gains if only this gain returns to its start value\n"
       "local       largest relative change of the merit for a step of 2 % of the gain's range, up or down\n"
-      "In sensitivity.csv also:\n"
+      "Further columns of sensitivity.csv:\n"
       "elasticity        relative change of the merit per relative change of the gain (central differences)\n"
       "rank_correlation  rank correlation between gain and merit over the run's evaluations\n\n"
-      "The merit is objective + penalty * relative violations, with the penalty of the study's search. A\n"
-      "smaller merit is better.\n\n"
+      "The merit is objective + penalty * (sum of the relative constraint violations), with the penalty of\n"
+      "the study's search. A smaller merit is better.\n\n"
       "Example:\n  armtune tune ur10_gaze --out runs/gaze\n  armtune sensitivity runs/gaze\n");
   command->callback([args, &exit_code] { exit_code = run(*args, team()); });
 }

@@ -23,7 +23,7 @@ void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::
     say(fmt::format("  and {} more in sensitivity.csv\n", sensitivity.parameters.size() - shown));
   }
   say(
-      fmt::format("importance: increase of the merit (objective and violations; less is better) if\n"
+      fmt::format("importance: increase of the merit (objective plus penalties; less is better) if\n"
                   "this gain alone returns to its start value; local: largest relative change of\n"
                   "the merit for a step of {:.0f} % of the gain's range\n\n",
                   100.0 * kSensitivityStep));

@@ -8,7 +8,8 @@ namespace armtune::internal::cli {
 /// Prints the `most` most important gains, most important first, with the effect of each.
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most);
 
-/// Prints, in plain words, bounds that were hit and gains without effect.
+/// Prints advice in plain words: which gains ended at a bound of their range, which gains have no effect, and
+/// what to change.
 void print_advice(const Study& study, const Sensitivity& sensitivity);
 
 }  // namespace armtune::internal::cli

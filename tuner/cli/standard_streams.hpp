@@ -7,8 +7,8 @@ namespace armtune::internal::cli {
 /// Makes the three standard streams safe to use. Call it first in main.
 /// - Streams that are closed, as those of detached programs may be, become /dev/null. Otherwise the next file
 ///   that is opened, such as a journal, would get their number and be written into.
-/// - `stdout` and `stderr` accept every text. What they cannot write is dropped, and the reason is kept.
-/// - A pipe that nobody reads any more is no longer a signal (SIGPIPE) that ends the program.
+/// - `stdout` and `stderr` accept every text. Text that cannot be written is dropped, and the reason is kept.
+/// - Writing to a pipe that nobody reads any more does not end the program by the signal SIGPIPE.
 void open_standard_streams();
 
 /// Writes out what was printed so far. Returns the errno of the first error that lost some of it, or 0. A

@@ -179,7 +179,7 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
         folder, outcome.controllers, shown_path(study_.gains)));
   } else if (outcome.ending != Ending::kInterrupted && is_ros_file(study_)) {
     say(fmt::format(
-        "A copy of {} with the tuned gains was not written, because a check failed or was left out, or "
+        "A copy of {} with the tuned gains was not written, because a check failed or was skipped, or "
         "because the file cannot hold the gains. 'armtune export {} --into FILE --out NEW' writes the copy "
         "if the file can hold the gains.\n",
         shown_path(study_.gains), folder));

@@ -18,8 +18,8 @@ void add_warm_options(CLI::App& command, WarmArguments& args) {
   command
       .add_option(
           "--warm-box", args.box,
-          "width of the search around the warm start, as a share of each gain's range (default: 1, the whole "
-          "range)")
+          "width of the region that is searched around the warm start, as a share of each gain's range "
+          "(default: 1, the whole range)")
       ->check(CLI::Range(1e-6, 1.0));
   command
       .add_option("--warm-step", args.step,

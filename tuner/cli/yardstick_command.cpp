@@ -69,8 +69,8 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--knots", args->options.knots,
-          "number of intervals in each plan's time grid; the plan of a lap has more if its intervals would "
-          "be longer than 25 ms (12.5 ms if targets switch)")
+          "number of intervals in each plan's time grid; the plan of a lap has more if an interval would "
+          "otherwise be longer than 25 ms (12.5 ms if targets switch)")
       ->check(CLI::Range(20, 10000))
       ->capture_default_str();
   command->footer(
@@ -79,7 +79,7 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       "and uses the exact model of the arm and the future motion of targets and obstacles. It keeps the\n"
       "limits of joint position, velocity and torque at its knots. It is the best plan found from one\n"
       "first guess: a local optimum. The plan of a switch or return has the least time, the plan of a lap\n"
-      "the least error. For a lap, the RMS gaze errors at the times of the rollout are compared.\n\n"
+      "the least error. For a lap, the RMS gaze errors at the recorded times of the rollout are compared.\n\n"
       "If the scenario has obstacles, a plan keeps at least obstacleInfluenceRadius (a gain) away from\n"
       "them, or the least distance of the rollout during the event if that is smaller. If no such plan is\n"
       "found, the obstacles are ignored, and the column status shows that. Scenarios are left out if they\n"

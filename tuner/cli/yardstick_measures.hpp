@@ -22,11 +22,11 @@ struct RolloutMeasures {
   std::vector<std::pair<std::string, std::string>> recordings;
 };
 
-/// Compares every event of rollout_<scenario>.csv in the folder with the best that the arm's limits allow,
-/// and prints each on stdout as it is found. The gaze threshold and the clearance come from the gains. If
-/// interrupted, it returns what is finished. Scenarios that plans do not model are left out, with a message:
-/// those with a stimulus, with a given orientation of the tool, or with the position as their only task.
-/// Throws InputError if a rollout cannot be read.
+/// Compares every event of rollout_<scenario>.csv in the folder with the best motion that the arm's limits
+/// allow, and prints each result on stdout as soon as it is found. The gaze threshold and the clearance come
+/// from the gains. If interrupted, it returns the results found so far. Scenarios that the planner cannot
+/// model are left out, with a message: those with a stimulus, with a given orientation of the tool, or with
+/// the position as their only task. Throws InputError if a rollout cannot be read.
 RolloutMeasures measure_rollouts(const std::string& folder, const std::vector<Scenario>& scenarios,
                                  const GainsOf& gains, YardstickOptions options);
 

@@ -20,8 +20,8 @@ FurtherColumn reacquisition_column(const std::vector<Scenario>& scenarios,
   limit.column = {
       "reacquisition/limit",
       "s",
-      "least possible reacquisition/time within the arm's limits, planned from the state of the rollout at "
-      "the target switch that took longest; empty if no plan was found",
+      "least possible reacquisition/time of the slowest target switch in the rollout, from the same state of "
+      "the arm and within its limits; empty if no plan was found",
       {}};
   limit.values.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios)

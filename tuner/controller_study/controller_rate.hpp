@@ -7,9 +7,9 @@
 
 namespace armtune::internal {
 
-/// Returns the controller's own `update_rate` [Hz], or that of the controller manager if the controller has
-/// none or 0. Returns nothing if neither is in the file. file: its name. Throws InputError with the line if
-/// the rate is not within 10 .. 10,000 Hz.
+/// Returns the `update_rate` [Hz] of the controller itself. If that is missing or 0, returns the rate of the
+/// controller manager; returns nothing if the file has neither. file: name of the file, for messages. Throws
+/// InputError with the line if the rate is not within 10 .. 10,000 Hz.
 std::optional<double> controller_rate(const RosController& controller, const std::string& file);
 
 }  // namespace armtune::internal

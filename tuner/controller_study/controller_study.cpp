@@ -168,8 +168,8 @@ JointSpline motion_of(const Move& move, const ControllerStudyInputs& inputs, con
 void add_notes(const Move& move, const JointSpline& motion, std::vector<std::string>& notes) {
   if (is_straight(motion))
     notes.push_back(fmt::format(
-        "{} has positions but no velocities; as in ROS, straight lines join them, so that the desired "
-        "velocity jumps at every point. A file with velocities is tracked better",
+        "{} has positions but no velocities. As in ROS, straight lines then join the points, and the desired "
+        "velocity jumps at every point. A file that also has velocities gives smaller tracking errors",
         move.file));
   if (motion.begin() > 0.0)
     notes.push_back(fmt::format(
@@ -259,7 +259,7 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
   }
   if (!undamped.empty())
     files.notes.push_back(
-        fmt::format("d of {} is 0 in {}; it is tuned as well, because the joints may need damping",
+        fmt::format("the gain d of {} is 0 in {}; it is tuned as well, because the joints may need damping",
                     fmt::join(undamped, ", "), inputs.controllers));
   if (!arm.yaml.empty()) {
     texts.emplace_back("robot.yaml", arm.yaml);

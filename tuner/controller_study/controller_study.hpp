@@ -1,6 +1,6 @@
 #pragma once
-// Creates a study, which is armtune's description of a tuning problem, from files that a robot's user already
-// has: the arm, the ROS parameter file of its controller, and motions.
+// Creates a study, which is armtune's description of a tuning problem, from files that the user of a robot
+// already has: a model of the arm, the ROS parameter file of its controller, and motions for it to follow.
 
 #include <string>
 #include <vector>
@@ -27,8 +27,8 @@ struct ControllerStudyFiles {
 /// Writes a study of the controller's gains into a new folder: study.yaml, a scenario for each motion, and,
 /// if no file gives the arm's rotor inertia, robot.yaml with an estimate. If the folder already holds exactly
 /// these files, they are kept. Reads all inputs before it writes anything. Throws InputError with the reason
-/// if the study cannot be made, if other gains could not be written into the parameter file, or if the folder
-/// holds anything else.
+/// if the study cannot be made, if tuned gains could later not be written into the parameter file, or if the
+/// folder holds anything else.
 ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs, const std::string& folder);
 
 }  // namespace armtune::internal

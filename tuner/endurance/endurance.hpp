@@ -1,7 +1,7 @@
 #pragma once
 // Tests endurance: simulates scenarios for much longer than their usual minute, and finds the first limit
-// that the arm breaks. A slow drift appears only then, such as an adaptation that learns from noise or a
-// joint that winds up.
+// that the arm breaks. Slow drifts become visible only then. Examples are an adaptation that learns from
+// noise, and a joint that turns further and further in one direction.
 //
 //   const auto results = endure(scenarios, gains, {.minutes = 30.0}, stop);
 //   if (results[0].broken) fmt::print("{}\n", to_string(*results[0].broken));
@@ -30,27 +30,28 @@ struct EnduranceOptions {
 struct EnduranceResult {
   std::string scenario;
   double simulated = 0.0;             ///< [s]
-  std::optional<BrokenLimit> broken;  ///< the first limit that was passed
-  std::string ended;                  ///< other reason to fail: an early end, a contact; else empty
+  std::optional<BrokenLimit> broken;  ///< the first limit that was broken
+  std::string ended;                  ///< any other failure, such as an early end or a contact; else empty
   double rms_growth =
       0.0;  ///< growth of the errors (ErrorWindows); NaN if there was no tracking, or under 5 minutes
   double peak_growth = 0.0;
   Engine engine = Engine::kNative;  ///< engine that decided: Simbody if the native engine saw a fault
 
-  /// True if it ran to its end within every limit and without a contact.
+  /// True if the rollout ran to its end within every limit and without a contact.
   bool held() const { return !broken && ended.empty(); }
 };
 
 /// Returns the scenario with a duration of at least `seconds`.
 Scenario extended_to(const Scenario& scenario, double seconds);
 
-/// Returns how a scenario's task continues beyond its own duration, one sentence for each part that does not
-/// simply repeat: a step, a planned motion, waypoints, a schedule.
+/// Returns sentences on how a scenario's task continues beyond its own duration. There is one for each part
+/// of the task that does not simply repeat: a step, a planned motion, waypoints, a schedule.
 std::vector<std::string> how_extended(const Scenario& scenario);
 
 /// Simulates every scenario for the requested time in the native engine, until a limit breaks. With
 /// `confirmed`, a scenario that fails there is simulated again in Simbody, whose result counts. gains_of:
-/// valid for the scenario's robot. Scenarios that were not done when `stop` became true are missing.
+/// returns gains that are valid for the scenario's robot. The result lacks the scenarios that were not
+/// finished when `stop` became true.
 std::vector<EnduranceResult> endure(const std::vector<Scenario>& scenarios,
                                     const std::function<Gains(const Scenario&)>& gains_of,
                                     const EnduranceOptions& options, const std::atomic<bool>& stop);

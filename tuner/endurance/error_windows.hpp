@@ -15,19 +15,19 @@ struct TimeWindow {
 };
 
 /// Returns two windows of equal length in a rollout of `duration` seconds: one after the first minute, one at
-/// its end. Each is ten minutes long, or half of the time after the first minute if that is shorter. In a
-/// rollout under five minutes, only the first fifth is skipped in place of the first minute.
+/// its end. Each is ten minutes long, or half of the time after the first minute if that is shorter. If the
+/// rollout is shorter than five minutes, the first window begins after the first fifth of it instead.
 std::array<TimeWindow, 2> compared_windows(double duration);
 
 class ErrorWindows {
  public:
-  /// start_time, duration: of the scenario [s]; period: of control [s].
+  /// start_time, duration: those of the scenario [s]. period: control period [s].
   ErrorWindows(double start_time, double duration, double period);
 
-  /// Adds the errors of one control period; must be called once per period. As in the metrics, only tracking
-  /// counts: the control state followTrajectory, from 1 s after it was entered, and not during a slerp. The
-  /// first second after a change of target is left out, because the distance to a new target is not an error
-  /// that grows with time.
+  /// Adds the errors of one control period; must be called once per period. As in the metrics, errors count
+  /// only while the arm tracks its path: in the control state followTrajectory, from 1 s after this state was
+  /// entered, and not while the orientation reference turns (slerp). The first second after a change of
+  /// target is left out too, because the distance to a new target is not an error that grows with time.
   void look(const Observation& o);
 
   /// The errors of one window.
@@ -38,8 +38,8 @@ class ErrorWindows {
   /// Returns the errors of the first window (0) or the last (1).
   const Errors& errors(std::size_t window) const { return errors_[window]; }
 
-  /// Returns the larger growth of the position error and the orientation error. Growth is the RMS (or the
-  /// peak) in the last window divided by that in the first. NaN if a window contains no tracking.
+  /// Returns the growth of the position error or of the orientation error, whichever is larger. Growth is the
+  /// RMS (or the peak) in the last window divided by that in the first. NaN if a window contains no tracking.
   double rms_growth() const;
   double peak_growth() const;
 

@@ -49,9 +49,9 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   add("objective", "1", "objective of the evaluation, relative to the start gains; 1 for the start gains");
   add("feasible", "1", "1 if every constraint holds in every scenario");
   add("violation", "1",
-      "sum of the constraint violations relative to their limits; if a scenario did not complete, larger "
-      "than for any completed candidate");
-  add("status", "", "completed, or the first failure");
+      "sum of the violations of all constraints, each relative to its limit; if a scenario did not complete, "
+      "larger than for any candidate that completed every scenario");
+  add("status", "", "completed, or the reason why the first failed scenario ended");
   for (const Parameter& p : study.space.free) add(p.entry.name, p.entry.field->unit, p.entry.field->meaning);
   for (const auto& [s, metric] : figures(study.terms)) {
     const MetricField& f = field(metric);
@@ -63,7 +63,8 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   }
   for (const MarginDemand& demand : study.margins) {
     add(fmt::format("margin/{}", name(demand.kind)), "1",
-        fmt::format("largest excess over a limit in any scenario with {} at {}; at most 0 if the limits hold",
+        fmt::format("largest violation of a limit in any scenario, simulated with {} at {}; 0 or less if "
+                    "every limit holds",
                     name(demand.kind), demand.value));
   }
   for (const ExtraColumn& e : extra) columns.push_back(e.column);

@@ -1,5 +1,5 @@
 #pragma once
-// Writes evaluations.csv: one row for every finished evaluation, on disk as soon as it is done.
+// Writes evaluations.csv: one row for every evaluation, written as soon as the evaluation is finished.
 
 #include <functional>
 #include <string>

@@ -13,7 +13,8 @@ namespace {
 std::size_t column(const CsvTable& table, const std::string& name, const Study& study) {
   if (const auto found = table.find(name)) return *found;
   throw InputError(
-      fmt::format("{}:1: no column '{}', which evaluations of {} have; give the file of this study",
+      fmt::format("{}:1: there is no column '{}', but the evaluations of {} have one; give the evaluations "
+                  "file of this study",
                   table.name(), name, study.source));
 }
 

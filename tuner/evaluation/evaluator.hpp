@@ -1,6 +1,6 @@
 #pragma once
-// Makes the evaluations that a search requests. In a resumed run, those that were finished before are read
-// from the run's journal. All further ones are simulated, and written to the journal.
+// Makes the evaluations that a search requests. A resumed run reads from its journal the evaluations that it
+// finished before the interruption. It simulates all further ones, and writes them to the journal.
 
 #include <atomic>
 #include <chrono>
@@ -27,26 +27,27 @@ class Evaluator {
 
   using TakeIn = std::function<void(const char* phase, Evaluation e)>;
 
-  /// Makes the next evaluations of the run. Their objective and constraints are not computed yet. Each is
-  /// written to the journal as soon as it is finished, even if an earlier one is not. Each is passed to
-  /// `take_in` as soon as all before it were: in order, one call at a time, from any thread. Returns false if
-  /// `stop` became true before all were done; `take_in` has then received the finished ones before the first
+  /// Makes the next evaluations of the run. Their objective and constraints are not computed yet. Each
+  /// evaluation is written to the journal as soon as it is finished, even if an earlier one is not. `take_in`
+  /// receives the evaluations in the order of the candidates, one call at a time, from any thread. An
+  /// evaluation is passed to it as soon as this one and all earlier ones are finished. Returns false if
+  /// `stop` became true before all were done; `take_in` has then received the evaluations before the first
   /// unfinished one. If the time budget is used up, candidates that are not started are left out, and the
-  /// result is true. Throws InputError if the journal has another evaluation at that place than the search
-  /// now requests.
+  /// result is true. Throws InputError if the journal's evaluation with the same number is not the one that
+  /// the search requests.
   bool next(const std::vector<Candidate>& candidates, const Conditions& conditions, const TakeIn& take_in);
 
-  /// True if the run was stopped from outside and the journal holds no further evaluation. A resumed run thus
-  /// gets at least as far as it was before.
+  /// True if the run was stopped from outside and the journal holds no further evaluation. A resumed run
+  /// therefore stops only after it has recalled everything that is in the journal.
   bool stopped() const { return stop_ && !recalls(count_); }
 
-  /// Sets the time budget that counts from now on. It ends `kept` [s] before the study's max_minutes are
+  /// Sets the time budget that applies from now on. It ends `kept` [s] before the study's max_minutes are
   /// over, so that a search leaves time for the steps after it. Before the first call the budget is that of
-  /// the whole run, with nothing reserved.
+  /// the whole run, with no time reserved.
   void use(Minutes minutes, double kept = 0.0);
 
-  /// True if the time budget is not used up. In a resumed run it ends at the same evaluation as before, and
-  /// the time before the interruption counts.
+  /// True if the time budget is not used up. In a resumed run the budget ends at the same evaluation as
+  /// before, and the time before the interruption counts.
   bool time_left();
   /// True if the last call of time_left() returned false.
   bool time_was_up() const { return time_was_up_; }

@@ -74,8 +74,8 @@ class Search {
   std::string failed() const {
     if (lightest_ < kHeavy) return failed_;
     return fmt::format(
-        "{}; even at the place with the least load, holding the arm still takes {:.2g} of the effort limit "
-        "of joint '{}'",
+        "{}; even at the place with the least load, gravity alone takes {:.2g} of the effort limit of joint "
+        "'{}'",
         failed_, lightest_, arm_->joints[static_cast<std::size_t>(loaded_)].name);
   }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Finds a first task for an arm that has none, such as a circle to follow, and gains with which the simulated
-// arm completes it. `armtune robot --task` writes both to files, as a start for tuning.
+// Finds a first task, such as a circle to follow, for an arm that has no task yet. Also finds gains with
+// which the simulated arm completes this task. `armtune robot --task` writes task and gains to files, as a
+// start for tuning.
 
 #include <functional>
 #include <string>
@@ -15,7 +16,7 @@ namespace armtune::internal {
 struct FirstTask {
   DefaultTask task;
   Gains gains;
-  Metrics metrics;  ///< of the task with these gains, simulated in Simbody
+  Metrics metrics;  ///< metrics of this task with these gains, simulated in Simbody
   std::string
       robot_yaml;  ///< text of a robot file with estimated rotor inertia; empty: the given file has its own
   std::string robot_file;  ///< the robot's file or name as task.yaml gives it
@@ -24,13 +25,14 @@ struct FirstTask {
 /// Finds a task, and gains that pass all of these tests:
 /// - The arm completes the task in Simbody inside its position limits, with at most kFirstTaskRatio of its
 ///   velocity and effort limits.
-/// - If rotor inertia is estimated, it does so also with a third of the estimate and with three times it.
-/// - In armtune's own dynamics the gains satisfy every constraint of the study that is written with them.
-/// - Also in armtune's own dynamics, nearly all of 60 other random arms keep their limits, and the arm passes
-///   the endurance check, a simulation for a long time.
-/// The search begins with starting_gains, and varies Kp and Kd, the adaptation gain and the duration gains.
-/// If none of them pass, it tries, in this order: other places and slower tasks, places among ten times as
-/// many positions, a task of position alone, and, if no floor was given, all of that without a floor.
+/// - If rotor inertia is estimated, the arm also does so with a third and with three times the estimate.
+/// - In armtune's own dynamics the gains satisfy every constraint of the study that write_first_task writes.
+/// - Also in armtune's own dynamics, nearly all of 60 random arms keep their limits (other_arms.hpp), and the
+///   arm passes the endurance check, a simulation for a long time.
+/// The search begins with starting_gains. It varies Kp, Kd, the adaptation gain, and the gains that set the
+/// durations of returns to the path and of turns to a target.
+/// If no such gains pass, it tries, in this order: other places and slower tasks, places among ten times as
+/// many positions, a task of position alone, and, if no floor was given, all of these without a floor.
 /// robot: a bundled name or a file. workers: threads (>= 1). progress: called with a description of the task
 /// tried next. Throws InputError with the reason if it finds none.
 FirstTask find_first_task(const std::string& robot, const TaskOptions& options, int workers = 1,

@@ -35,9 +35,9 @@ std::string lost_limits(const RolloutResult& result, double share) {
   if (metrics[Metric::kJointPositionMinMargin] < 0.0) return "a joint leaves its position limits";
   if (const std::string contact = contact_text(metrics); !contact.empty()) return "the arm " + contact;
   if (metrics[Metric::kJointVelocityMaxRatio] > share) {
-    return fmt::format("{} exceeds {} of its velocity limit", metrics.max_ratio_joint, share);
+    return fmt::format("the velocity of {} exceeds {} of its limit", metrics.max_ratio_joint, share);
   }
-  return fmt::format("a commanded torque exceeds {} of its effort limit", share);
+  return fmt::format("a commanded torque exceeds {} of the joint's effort limit", share);
 }
 
 }  // namespace armtune::internal

@@ -10,7 +10,8 @@
 
 namespace armtune::internal {
 
-/// Largest share of a joint's velocity and effort limits in a first task. Its study demands the same.
+/// Largest share of a joint's velocity and effort limits that the arm may use in a first task. The study of
+/// the task has the same limit.
 inline constexpr double kFirstTaskRatio = 0.9;
 
 /// True if the rollout completed with at most `share` of the velocity and effort limits, inside the position

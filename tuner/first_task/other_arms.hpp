@@ -1,6 +1,6 @@
 #pragma once
-// Tests gains on random arms, whose parameters differ from those of the arm's model. Gains for a first task
-// must pass this test.
+// Tests gains on random arms, whose parameters differ from those of the arm's model. The gains that armtune
+// proposes for a first task must pass this test.
 
 #include "core/control/gains.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -9,8 +9,8 @@ namespace armtune::internal {
 
 inline constexpr int kOtherArms = 60;
 
-/// Returns how many of the kOtherArms random arms may break a limit. It is half of the share that the final
-/// checks of a tuning allow, because a search brings the arm closer to its limits.
+/// Returns how many of the kOtherArms random arms may break a limit. In proportion, these are half as many as
+/// the final checks of a tuning allow, because a search brings the arm closer to its limits.
 int most_lost_arms();
 
 /// True if all but most_lost_arms() of kOtherArms random arms keep their limits in the scenario. Torque may

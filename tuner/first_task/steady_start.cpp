@@ -98,7 +98,7 @@ std::vector<Gains> first_sets(const Study& study, const Gains& given) {
   std::vector<Gains> sets = first_gain_sets(robot, goal, start);
   for (Gains& gains : sets) {
     if (gains.controller != given.controller)
-      gains = controlled_by(controller_kind(given.controller), gains, robot, goal);
+      gains = convert_gains(controller_kind(given.controller), gains, robot, goal);
     keep_untuned(given, study, gains);
   }
   return sets;

@@ -10,9 +10,9 @@
 namespace armtune::internal {
 
 enum class GainsFormat {
-  kYaml,  ///< armtune's own, the published format
+  kYaml,  ///< armtune's own format, that of the published gains
   kRos1,  ///< parameter file for rosparam load
-  kRos2   ///< parameter file for --params-file: NODE: ros__parameters:
+  kRos2   ///< parameter file for --params-file, with the keys NODE and ros__parameters
 };
 
 /// Returns the formats' names on the command line, in the order above.
@@ -27,7 +27,8 @@ struct GainsFile {
   std::vector<std::pair<std::string, std::string>> origin;
   /// Further keys of a robot's parameter file that are not gains, with their values in YAML.
   std::vector<std::pair<std::string, std::string>> others;
-  /// Name space or node of the controller. Empty: the published one, or for ROS 2 every node.
+  /// Name space or node of the controller. If it is empty, a ROS 2 file is for every node, and other files
+  /// have the name space of the published gains.
   std::string node;
 };
 

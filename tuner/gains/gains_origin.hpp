@@ -20,8 +20,9 @@ namespace armtune::internal {
 std::vector<std::pair<std::string, std::string>> origin_of_run(const std::string& folder,
                                                                bool with_figures = true);
 
-/// Returns the folder of the run that a gain set belongs to: the set is the folder of the run, or a file or
-/// folder in it (RUN/start, RUN/points/01.yaml). Empty if there is no such run, or if it has no study.
+/// Returns the folder of the run that the gains at `path` belong to. `path` is the folder of the run itself,
+/// or a file or folder in it, such as RUN/start or RUN/points/01.yaml. Returns an empty text if there is no
+/// such run, or if it has no study.
 std::string run_above(const std::string& path);
 
 /// Returns the origin of a gains file: armtune's version, and the files with their hashes.

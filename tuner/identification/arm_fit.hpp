@@ -1,7 +1,8 @@
 #pragma once
-// Fits an arm close to the robot file, with any friction, to logged torques, and measures how well that arm
-// explains them. Possible mistakes in a log are compared by this measure (log_mistakes.hpp). If only torques
-// change (order, scale, sign), the moments of the regressor are reused; a changed motion needs new ones.
+// Fits the parameters of an arm to logged torques, and measures how well this arm explains them. Its links
+// stay close to the robot file; its friction is free. Possible mistakes in a log are compared by this measure
+// (log_mistakes.hpp). If a correction changes only the torques (order, scale, sign), the moments of the
+// regressor are reused; a changed motion needs new moments.
 
 #include <vector>
 
@@ -33,8 +34,8 @@ struct TorqueReading {
 
 struct ArmFit {
   JointVector residual;  ///< RMS of every joint's unexplained torque beyond its noise (n) [N m, N]
-  /// Residual of every joint (n), relative to the largest of these: the RMS of the torque, the RMS of the
-  /// torque that the robot file predicts, half a percent of the effort limit. 0 to about 1.
+  /// Residual of every joint (n), divided by the largest of these three: the RMS of its torque, the RMS of
+  /// the torque that the robot file predicts, half a percent of its effort limit. 0 to about 1.
   JointVector unexplained;
   double distance = 0.0;  ///< not set by ArmFitter: always 0
   double cost = 0.0;      ///< weighted squares of `unexplained` and of the links' change; less is better

@@ -1,8 +1,9 @@
 #pragma once
-// Computes base parameters: the smallest set of combinations of theta, an arm's inertial and friction
-// parameters, that determines its dynamics. Only these can be identified from logs. If a column of the
-// regressor depends on the columns before it in every state, its parameter is regrouped into theirs (Gautier,
-// Numerical calculation of the base inertial parameters of robots, 1991).
+// Computes base parameters: the smallest set of linear combinations of theta, an arm's inertial and friction
+// parameters, that determines its dynamics. Only these combinations can be identified from logs. If a column
+// of the regressor is, in every state, a linear combination of columns before it, its parameter is added to
+// the groups of their parameters (Gautier, Numerical calculation of the base inertial parameters of robots,
+// 1991).
 
 #include <Eigen/Core>
 #include <string>
@@ -33,7 +34,8 @@ Eigen::VectorXd group_sizes(const BaseParameters& base, const Eigen::VectorXd& t
 /// deterministic.
 BaseParameters base_parameters(const RobotModel& model);
 
-/// Returns the regressor's rows at `states` random states (n rows each), by which the groups are found.
+/// Returns the regressor's rows at `states` random states, n rows for each. base_parameters finds the groups
+/// from such rows.
 Eigen::MatrixXd random_regressor(const RobotModel& model, int states, unsigned seed);
 
 }  // namespace armtune::internal

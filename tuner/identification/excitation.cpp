@@ -63,10 +63,11 @@ MotionPoint<JointVector> Excitation::at(double t) const {
 
 std::string excitation_yaml(const Excitation& e, const std::vector<std::string>& joints) {
   std::string text = fmt::format(
-      "# q(t) = center + fade(t) sum_k sine_k sin(2 pi k frequency t) + cosine_k cos(2 pi k frequency t)   "
-      "[rad, m]\n"
-      "frequency: {}   # Hz\nduration: {}    # s\nfade: {}        # s, quintic, at either end\ncenter: "
-      "[{}]\n",
+      "# q(t) = center + ramp(t) * sum over k of (sine_k sin(2 pi k frequency t) + cosine_k cos(2 pi k "
+      "frequency t))   [rad, m]\n"
+      "frequency: {}   # Hz\nduration: {}    # s\n"
+      "fade: {}        # s; ramp(t) is a quintic from 0 to 1 at the start, and from 1 to 0 at the end\n"
+      "center: [{}]\n",
       e.frequency, e.duration, e.fade, fmt::join(e.center.data(), e.center.data() + e.center.size(), ", "));
   for (const auto& [key, matrix] : {std::pair{"sine", &e.sine}, std::pair{"cosine", &e.cosine}}) {
     text += fmt::format("{}:\n", key);

@@ -14,7 +14,7 @@ namespace armtune::internal {
 struct Excitation {
   double frequency = 0.1;  ///< base frequency [Hz]
   double duration = 20.0;  ///< [s], fades included
-  double fade = 2.0;       ///< [s] at either end
+  double fade = 2.0;       ///< duration of the fade-in and of the fade-out [s]
   JointVector center;      ///< (n) [rad, m]
   Eigen::MatrixXd sine;    ///< n x harmonics [rad, m]
   Eigen::MatrixXd cosine;
@@ -23,12 +23,13 @@ struct Excitation {
   MotionPoint<JointVector> at(double t) const;
 };
 
-/// Longest trajectory [s] and fastest harmonic [Hz]: limits of what an arm can do in one log, and of memory.
+/// Duration of the longest trajectory [s] and frequency of the fastest harmonic [Hz] that are allowed. They
+/// limit the memory, and correspond to what an arm can do in one log.
 inline constexpr double kLongestExcitation = 1000.0;
 inline constexpr double kFastestHarmonic = 20.0;
 
-/// Returns the text of excitation.yaml, and reads it back. Throws InputError if the file does not fit the
-/// joints.
+/// Returns the text of excitation.yaml. load_excitation reads such a file, and throws InputError if it does
+/// not fit the joints.
 std::string excitation_yaml(const Excitation& excitation, const std::vector<std::string>& joints);
 Excitation load_excitation(const std::string& path, const std::vector<std::string>& joints);
 

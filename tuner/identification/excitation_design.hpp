@@ -15,17 +15,17 @@ struct ExcitationOptions {
   double frequency = 0.1;  ///< base frequency [Hz]
   int harmonics = 5;
   double duration = 20.0;    ///< [s]
-  double fade = 2.0;         ///< [s], at most half the duration
+  double fade = 2.0;         ///< duration of fade-in and of fade-out [s]; at most half of `duration`
   JointVector center;        ///< empty: the middle of the position limits
   double amplitude = 1.0;    ///< largest distance from the centre [rad, m]
   double margin = 0.8;       ///< share of the velocity and effort limits that may be used
-  double min_height = -1e9;  ///< origins of the third joint and up, and the tool, stay above it [m]
+  double min_height = -1e9;  ///< least height of tool and origins of joints from the third on [m]
   long evaluations = 20000;
   std::uint64_t seed = 1;
   std::function<void(long evaluations, double condition)> progress;
 };
 
-/// The figures of a trajectory: the largest fractions of the arm's limits that it uses, its lowest point, and
+/// Results for one trajectory: the largest fractions of the arm's limits that it uses, its lowest point, and
 /// how well it excites the parameters.
 struct ExcitationUse {
   double condition = 0.0;        ///< condition number of the base regressor with columns of unit length
@@ -33,7 +33,7 @@ struct ExcitationUse {
   double position_margin = 0.0;  ///< smallest distance to a position limit [rad, m]
   double velocity_ratio = 0.0;
   double effort_ratio = 0.0;  ///< by inverse dynamics of the model
-  double lowest = 0.0;        ///< height of the lowest point [m]
+  double lowest = 0.0;        ///< least height of the points named at `min_height` [m]
 };
 
 ExcitationUse use_of(const Excitation& excitation, const RobotModel& model, const BaseParameters& base);
@@ -41,7 +41,7 @@ ExcitationUse use_of(const Excitation& excitation, const RobotModel& model, cons
 struct ExcitationDesign {
   Excitation excitation;
   ExcitationUse use;
-  double random_condition = 0.0;  ///< condition number of the best random series, before the search
+  double random_condition = 0.0;  ///< condition number of the best random trajectory
   long evaluations = 0;
 };
 

@@ -8,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// Returns the text of theta.yaml: every entry of theta by name, as a scenario's `theta_start: {file: ...}`
-/// reads it.
+/// Returns the text of theta.yaml: every entry of theta by name. A scenario reads it by
+/// `theta_start: {file: ...}`. header: comment lines at the top.
 std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
                        const std::vector<std::string>& header);
 

@@ -1,6 +1,7 @@
 #pragma once
-// Identification of an arm's inertial and friction parameters (theta) from logs. The logs become rows of a
-// weighted or robust regression. Its estimate is then completed to a physically valid theta.
+// Identification of theta, an arm's inertial and friction parameters, from logs. The logs are converted to
+// the rows of a regression, weighted or robust, which estimates the base parameters. This estimate is then
+// completed to a physically valid theta.
 
 #include <atomic>
 #include <functional>
@@ -15,19 +16,20 @@ namespace armtune::internal {
 
 struct IdentifyOptions {
   RowOptions rows;
-  bool robust = false;   ///< true: iteratively reweighted with Huber's weights, so that outliers count less;
-                         ///< on normal errors the stated deviations come out some 10 % too small
+  bool robust = false;   ///< true: repeated passes with Huber's weights, so that outliers count less; with
+                         ///< normal errors, the reported standard deviations are some 10 % too small
   int passes = 5;        ///< passes of robust regression over all logs; at least 2 are made
-  bool hold_out = true;  ///< leave every fifth second of a log out of the fit, and check the result on it
+  bool hold_out = true;  ///< true: every fifth second of a log is not fitted but used to check the result
   std::function<void(int pass, std::size_t log, long samples)> progress;
 };
 
-/// The RMS of the torque of every joint (n) [N m, N], and of its unexplained part, on some rows of the logs.
+/// The RMS of every joint's torque (n) [N m, N], and of the part of it that is not explained, on some rows of
+/// the logs.
 struct Unexplained {
-  long rows = 0;             ///< per joint
+  long rows = 0;             ///< number of rows per joint
   Eigen::VectorXd torque;    ///< RMS of the filtered torque itself
-  Eigen::VectorXd by_theta;  ///< left unexplained by the identified theta
-  Eigen::VectorXd by_file;   ///< left unexplained by the unchanged robot file
+  Eigen::VectorXd by_theta;  ///< RMS of what the identified theta leaves unexplained
+  Eigen::VectorXd by_file;   ///< RMS of what the unchanged robot file leaves unexplained
 };
 
 struct Identification {
@@ -37,7 +39,7 @@ struct Identification {
   bool made_physical = false;  ///< true if the estimate itself was not physically valid
   Unexplained fitted;          ///< on the rows that theta was fitted to
   Unexplained held_out;        ///< on the rows that were left out; no rows without IdentifyOptions::hold_out
-  JointVector torque_noise;    ///< standard deviation, in the rows' torques (n) [N m, N]
+  JointVector torque_noise;    ///< standard deviation of the noise in the rows' torques (n) [N m, N]
   LogComparison comparison;    ///< comparison of the logs with the robot file
   long samples = 0;            ///< number of samples in all logs
   std::vector<std::string> log_hashes;  ///< hash of each log, as it was read

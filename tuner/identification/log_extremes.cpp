@@ -108,7 +108,7 @@ class LimitCheck {
     if (std::any_of(instants_.begin(), instants_.end(),
                     [&](const LogInstant& at) { return at.torque[joint_] != 0.0; }))
       return;
-    fail(fmt::format("its {} is always 0; log it, or check the torque columns", effort_.name));
+    fail(fmt::format("its {} is 0 in every row; log this signal, or check the torque columns", effort_.name));
   }
 
  private:

@@ -187,7 +187,8 @@ double LogFile::read_value(std::size_t column, const LogColumn& what) const {
   const double value = read_number(column, what);
   if (std::abs(value * what.scale) <= kLargest) return value * what.scale;
   throw InputError(fmt::format(
-      "{}:{}: column '{}': {} times its scale {} is beyond {:.0e}; remove the row, or correct the scale",
+      "{}:{}: column '{}': the value {}, multiplied by its scale {}, exceeds {:.0e} in size; remove the row, "
+      "or correct the scale",
       path_, lines_.number(), what.name, value, what.scale, kLargest));
 }
 
@@ -213,7 +214,7 @@ void LogFile::check_time(double time) {
   if (samples_ > 0 && !(time > last_time_)) {
     throw InputError(
         fmt::format("{}:{}: column '{}': {} is not above the value of the row before; sort the rows by time, "
-                    "or remove this one",
+                    "or remove this row",
                     path_, lines_.number(), columns_.time.name, shown(cells_[time_place_])));
   }
   if (samples_ > kStretch) {

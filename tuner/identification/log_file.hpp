@@ -22,16 +22,16 @@ struct LogSample {
 
 /// A log that is read from its start. Blank lines at the start of the file are skipped. If the first line
 /// after them holds numbers only, the log has no column names, and its columns are called 1, 2, 3 and so on.
-/// Throws InputError with file, line and column for a log that is not intact: missing or doubled columns,
-/// lines of more than 1 MB, rows of another length, text that is not a finite number, times that do not rise
-/// evenly.
+/// Throws InputError with file, line and column for a log that is not intact. Examples are missing or doubled
+/// columns, lines of more than 1 MB, rows with too few or too many cells, text that is not a finite number,
+/// and times that do not rise evenly.
 class LogFile {
  public:
   LogFile(const std::string& path, const LogColumns& columns);
 
   /// Returns the next sample, or none at the end.
   std::optional<LogSample> next();
-  /// Returns the time between samples [s]: the mean of the first steps, as many as are read ahead.
+  /// Returns the time between samples [s]: the mean over the samples that are read ahead at the start.
   double period() const { return period_; }
   const std::string& path() const { return path_; }
   /// Returns the hash of the file; valid after next() has returned none.
@@ -60,15 +60,15 @@ class LogFile {
   char separator_ = ',';
   std::vector<std::string> header_;
   long header_line_ = 1;   ///< the first line that is not blank
-  bool has_names_ = true;  ///< true if it holds the names of the columns
+  bool has_names_ = true;  ///< true if that line holds the names of the columns
   std::vector<std::string_view> cells_;
   std::size_t time_place_ = 0;
   std::vector<std::size_t> position_places_, velocity_places_, torque_places_;
   double period_ = 0.0;
   double first_time_ = 0.0;  ///< time of the first sample, in the file's unit
   double last_time_ = 0.0;
-  long stretch_steps_ = 0;      ///< steps since the present stretch began
-  double stretch_begin_ = 0.0;  ///< time at which the present stretch of steps begins [s]
+  long stretch_steps_ = 0;      ///< number of steps in the stretch whose mean step is checked next
+  double stretch_begin_ = 0.0;  ///< time at which this stretch begins [s]
   long samples_ = 0;
   std::deque<LogSample> ahead_;  ///< samples that were read ahead to find the period
 };

@@ -1,8 +1,9 @@
 #pragma once
-// Keeps evenly spaced samples of the filtered motion in robot logs, and estimates the noise of the torques.
-// With them a log can be compared with the robot file many times without reading it again. The motion has
-// passed the same two filters as the rows of the regression (row_stream.hpp). The second filter is needed:
-// after the first alone, noise in the positions would look like acceleration of a joint that stands still.
+// Keeps instants of robot logs, evenly spaced in time, and estimates the noise of the torques. With them a
+// log can be compared with the robot file many times without reading it again. The motion at these instants
+// has passed the same two filters as the rows of the regression (row_stream.hpp). The second filter is
+// needed: after the first alone, noise in the positions would look like acceleration of a joint that stands
+// still.
 
 #include <vector>
 
@@ -53,9 +54,9 @@ class LogInstants {
 
   const std::vector<LogInstant>& kept() const { return instants_.kept(); }
   /// Returns the standard deviation of the noise in the filtered torques of the instants (n) [N m, N]. It is
-  /// right if the noise of the logged torques is white. It is estimated from the median of their second
-  /// differences: those of a smooth torque are small, and jumps by friction are rare. Empty if no log has
-  /// three samples.
+  /// right if the noise of the logged torques is white. It is computed from the median size of the second
+  /// differences of the logged torques. The motion hardly changes this median, because smooth torques have
+  /// small second differences, and jumps by friction are rare. Empty if no log has three samples.
   JointVector torque_noise() const { return filter_norm_ * logged_torque_noise(); }
 
  private:

@@ -1,7 +1,8 @@
 #pragma once
 // Finds common mistakes in a robot's logs before its parameters are identified from them: wrong units, signs,
-// columns, zero positions or mounting, or a log of another arm. Each mistake is corrected on trial. The
-// likely mistake is the one after whose correction an arm close to the robot file explains the log best.
+// columns, zero positions or mounting, or a log of another arm. Each possible mistake is corrected on trial,
+// and an arm close to the robot file is fitted to the corrected log. The mistake whose correction gives the
+// best fit is the most likely one.
 
 #include <optional>
 #include <string>
@@ -37,16 +38,16 @@ struct LogMistake {
 
 /// The result of a comparison of a log with the robot file.
 struct LogComparison {
-  ArmFit as_logged;   ///< fit of the unchanged log; links, rotor inertia and friction are free
-  ArmFit robot_file;  ///< fit of the unchanged log; links of the robot file, the rest is free
-  /// True if at least half of the joints move. If fewer move and an arm explains the log, wrong signs, zero
-  /// positions and columns cannot be detected.
+  ArmFit as_logged;   ///< fit of the unchanged log; free: links, rotor inertia and friction
+  ArmFit robot_file;  ///< fit of the unchanged log; free: rotor inertia and friction; links: the robot file's
+  /// True if at least half of the joints move. If fewer joints move and some arm close to the robot file
+  /// explains the log, wrong signs, zero positions and columns cannot be detected.
   bool most_joints_move = true;
   std::optional<LogMistake> mistake;  ///< none: the log may well be of this arm
 };
 
-/// Compares a log with the robot file. It takes some 50 ms, or a second or two if mistakes have to be looked
-/// for. noise (n): standard deviation of the noise of the instants' torques [N m, N].
+/// Compares a log with the robot file. This takes some 50 ms, or a second or two if it has to look for
+/// mistakes. noise (n): standard deviation of the noise in the instants' torques [N m, N].
 LogComparison compare_with_robot_file(const RobotModel& model, const std::vector<LogInstant>& instants,
                                       const JointVector& noise);
 

@@ -18,9 +18,9 @@ struct LowPass {
   int length() const { return 2 * half + 1; }
 };
 
-/// Returns a filter that passes half of the amplitude at `cutoff` [Hz]. It is flat within 1e-4 up to half of
-/// the cutoff, and below 1e-4 from 1.5 times the cutoff on. period: between samples [s];
-/// cutoff <= 0.3 / period. delay [s]: the result at time t is the filtered signal at t - delay; its size is
+/// Returns a filter that passes half of the amplitude at `cutoff` [Hz]. Up to half of the cutoff its gain is
+/// 1 within 1e-4, and from 1.5 times the cutoff on it is below 1e-4. cutoff: at most 0.3 / period. period:
+/// time between samples [s]. delay [s]: the result at time t is the filtered signal at t - delay; |delay| is
 /// at most a tenth of the kernel's half length.
 LowPass low_pass(double cutoff, double period, double delay = 0.0);
 

@@ -8,7 +8,8 @@ namespace armtune::internal {
 
 class MovingWindow {
  public:
-  /// length: samples in the window; step: a result is due every `step` samples once the window is full.
+  /// length: number of samples in the window. step: once the window is full, a result is due at every step-th
+  /// sample.
   MovingWindow(Eigen::Index channels, int length, int step)
       : length_(length), step_(step), samples_(channels, 4 * length) {}
 

@@ -21,14 +21,14 @@ class PhysicalCone {
   /// prior (13 n), valid: gives the scales.
   explicit PhysicalCone(const ParameterVector& prior);
 
-  /// Returns A^T A (13 n x 13 n) of the norm |A theta|. In this norm every link's pseudo-inertia counts
-  /// relative to its trace in the prior. Every joint parameter counts relative to the largest of its kind in
-  /// the prior, or to 1 if the prior has none.
+  /// Returns the matrix A^T A (13 n x 13 n) of the norm |A theta|. In this norm, every link's pseudo-inertia
+  /// is divided by its trace in the prior. Every joint parameter is divided by the largest of its kind in the
+  /// prior, or by 1 if the prior has none above zero.
   const Eigen::MatrixXd& metric() const { return metric_; }
 
   struct Accuracy {
     int iterations = 20000;    ///< at most
-    double tolerance = 1e-10;  ///< largest size of both residuals, relative
+    double tolerance = 1e-10;  ///< tolerance of primal and dual residual, relative
   };
   /// Minimises theta^T Q theta - 2 c^T theta. Q (13 n x 13 n): symmetric and positive definite.
   PhysicalMinimum minimum(const Eigen::MatrixXd& Q, const Eigen::VectorXd& c, const Accuracy& accuracy) const;

@@ -11,9 +11,9 @@
 
 namespace armtune::internal {
 
-/// Returns the fitted theta. prior (13 n), valid: the robot file's theta, weighted as if each link were known
-/// within 100 %. Throws InputError if the covariance of the estimate is not positive definite, or if no
-/// finite theta is found.
+/// Returns the fitted theta. prior (13 n), valid: the robot file's theta, weighted as if the parameters of
+/// each link were known with a standard deviation of 100 %. Throws InputError if the covariance of the
+/// estimate is not positive definite, or if no finite theta is found.
 PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimate,
                              const ParameterVector& prior);
 

@@ -1,7 +1,8 @@
 #pragma once
-// Estimates an arm's base parameters theta_base by weighted least squares over any number of rows
-// (Y_base, tau), without storing the rows. It stores one triangular QR factor for each joint, so that the
-// weights of the joints can change without reading the logs again, and the moments that the covariance needs.
+// Estimates an arm's base parameters theta_base by weighted least squares. The data are any number of rows
+// (Y_base, tau), that is, a joint's row of the regressor and its torque. The rows themselves are not stored.
+// One triangular QR factor is stored for each joint, so that the weights of the joints can change without
+// reading the logs again. The moments that the covariance needs are stored as well.
 
 #include <Eigen/Core>
 #include <vector>
@@ -14,7 +15,7 @@ struct Estimate {
   Eigen::VectorXd torque_residual;  ///< RMS per joint (n) [N m, N]
   std::vector<int> not_excited;  ///< groups that the rows hardly excite, in order: they stay near the prior
   double condition = 0.0;        ///< condition number of the weighted regressor, columns of unit length
-  long rows = 0;                 ///< per joint
+  long rows = 0;                 ///< number of rows per joint
 
   /// Returns the standard deviations (rank); infinite for groups that were not excited.
   Eigen::VectorXd deviation() const;
@@ -36,10 +37,11 @@ class Regression {
   void add(const Eigen::MatrixXd& rows);
   void begin_log() { last_.clear(); }
 
-  /// Solves the weighted least squares; the weights 1/sigma_j^2 of the joints are iterated from the
-  /// residuals. The prior is so weak that it counts only along directions that the rows do not excite. The
-  /// covariance is the sandwich estimator with the residuals' autocorrelation (White, Asymptotic Theory for
-  /// Econometricians, 1984, ch. 6), since rows filtered from the same samples are not independent.
+  /// Solves the weighted least squares. The weights of the joints are 1/sigma_j^2, where sigma_j is the RMS
+  /// of joint j's residual; solution and weights are computed in turn until they settle. The prior is so weak
+  /// that it counts only along directions that the rows do not excite. The covariance is the sandwich
+  /// estimator with the residuals' autocorrelation (White, Asymptotic Theory for Econometricians, 1984,
+  /// chapter 6), since rows filtered from the same samples are not independent.
   Estimate solve(const WeakPrior& prior);
 
  private:
@@ -55,10 +57,10 @@ class Regression {
   long rows_ = 0;
   std::vector<int> dead_;                              ///< not used
   std::vector<std::vector<Eigen::VectorXd>> waiting_;  ///< [joint]: rows not yet in the factor
-  std::vector<Eigen::MatrixXd> factor_;                ///< [joint]: R of (Y_base, tau)
-  std::vector<std::vector<Eigen::MatrixXd>> moments_;  ///< [joint][lag]: sum of y_t y_(t+lag)^T, tau included
+  std::vector<Eigen::MatrixXd> factor_;                ///< [joint]: triangular factor of (Y_base, tau)
+  std::vector<std::vector<Eigen::MatrixXd>> moments_;  ///< [joint][lag]: sum of y_t y_(t+lag)^T, y: a row
   std::vector<long> pairs_;                            ///< [lag]: number of pairs of instants
-  std::vector<Eigen::MatrixXd> last_;                  ///< the last instants, newest first
+  std::vector<Eigen::MatrixXd> last_;                  ///< rows of the last instants, newest first
 };
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// Converts a log to rows of the regression tau = Y_base theta_base.
+// Converts a log to rows of the regression tau = Y_base theta_base, where tau are the joint torques, Y_base
+// is the regressor and theta_base are the base parameters (base_parameters.hpp).
 //
 // Two zero-phase low-pass filters are applied. The first has a wide band. It turns positions into q, q', q''
 // and torques into tau at a lower rate, and the regressor Y is computed from these. The second has the cutoff
@@ -19,16 +20,16 @@
 namespace armtune::internal {
 
 struct RowOptions {
-  double cutoff = 5.0;  ///< [Hz] of the second filter: above what the trajectory excites, below the noise
-  double torque_delay = 0.0;  ///< [s] by which a logged torque acts later than its time stamp
+  double cutoff = 5.0;  ///< cutoff of the second filter [Hz]: above the motion's frequencies, below noise
+  double torque_delay = 0.0;  ///< time from a logged torque's time stamp until it acts [s]
 };
 
 class RowStream {
  public:
   /// All arguments but `options` must outlive the stream. `instants` receives samples of the motion and of
   /// the torques after both filters. Throws InputError if the cutoff is not above zero, if the log has too
-  /// few samples per second for it, or if the torque delay is too long for it. A log that is too short has no
-  /// rows.
+  /// few samples per second for this cutoff, or if the torque delay is too long for it. A log that is too
+  /// short has no rows.
   RowStream(const RobotModel& model, const BaseParameters& base, LogFile& log, const RowOptions& options,
             LogInstants& instants);
 
@@ -36,8 +37,9 @@ class RowStream {
   bool next(Eigen::MatrixXd& rows);
 
   /// Throws InputError if the log has velocities that are not the derivatives of its positions, which happens
-  /// with a wrong unit, sign or column. To be called after the last row. The velocities are used for nothing
-  /// else: they carry the noise of one more sensor, or were differentiated from the positions with a lag.
+  /// with a wrong unit, sign or column. Must be called after the last row. The logged velocities are used for
+  /// nothing else. They have the noise of one more sensor, or were differentiated from the positions with a
+  /// lag.
   void check_velocities() const;
 
   /// Returns the number of samples of the log read so far.
@@ -46,7 +48,8 @@ class RowStream {
   double row_period() const { return period_ * motion_step_ * row_step_; }
 
  private:
-  /// Returns the newest instant's rows, each with its joint's motion, one column after the other.
+  /// Returns the matrix (Y_base, tau, q, q', q'') of the newest instant, which has one row per joint, as one
+  /// vector, column by column.
   Eigen::VectorXd regressor_rows();
   void compare_velocities(const JointVector& qd);
 
@@ -65,8 +68,8 @@ class RowStream {
   Poses poses_;
   SlotineLi slotine_li_;
   Regressor Y_;
-  JointVector velocity_products_;  ///< sums of logged times differentiated velocity
-  JointVector velocity_squares_;   ///< sums of differentiated velocity squared
+  JointVector velocity_products_;  ///< sums of (logged velocity x differentiated velocity)
+  JointVector velocity_squares_;   ///< sums of (differentiated velocity)^2
   long compared_ = 0;
   long samples_ = 0;
 };

@@ -20,8 +20,8 @@ struct RankRevealed {
   Eigen::MatrixXd R;      ///< rank x n: columns `live` (upper triangular), then `dead`
 };
 
-/// Computes a rank-revealing factorisation with columns in their order. A column is dead if less than
-/// `tolerance` of it is left after the live ones before it are taken out (Heath's rule).
+/// Computes a rank-revealing factorisation with columns in their order. A column is dead if the part of it
+/// that is orthogonal to the live columns before it is shorter than `tolerance` (Heath's rule).
 RankRevealed rank_revealing_factor(const SparseMatrix& A, double tolerance);
 
 }  // namespace armtune::internal

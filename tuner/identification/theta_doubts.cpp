@@ -28,9 +28,9 @@ std::string check_joint(const RobotModel& model, int joint, const Unexplained& r
   if (!too_much && !worse) return {};
   const EffortWords effort = effort_words(model, joint);
   return fmt::format(
-      "the identified parameters leave {:.3g} {} of the {} of {} unexplained {} (the {} is {:.3g} there, and "
-      "the robot file leaves {:.3g} unexplained; all are RMS values); check unit, sign, column and zero "
-      "position of this joint and of the joints after it",
+      "the identified parameters leave {:.3g} {} of the {} of {} unexplained {}. There the {} is {:.3g}, and "
+      "the parameters of the robot file leave {:.3g} unexplained (all are RMS values). Check unit, sign, "
+      "column and zero position of this joint and of the joints after it",
       left, effort.unit, effort.name, info.name, which, effort.name, rows.torque[joint], rows.by_file[joint]);
 }
 

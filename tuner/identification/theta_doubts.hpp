@@ -10,12 +10,13 @@
 namespace armtune::internal {
 
 /// Returns one sentence, with joint or link and values, for each of these:
-///   - a joint with over half of its torque unexplained, on the rows fitted to or on those held out;
+///   - a joint with over half of its torque unexplained, on the fitted rows or on the held-out rows;
 ///   - a joint for which the identified theta leaves clearly more unexplained than the robot file does;
 ///   - a link over three times as heavy as in the robot file, if the difference is over half of the arm's
 ///     moved mass;
-///   - an arm whose moved mass is over 1.8 times that of the robot file, or the other way round.
-/// The noise of the torque sensors does not count, nor do torques below half a percent of the effort limit.
+///   - an arm whose moved mass differs from that of the robot file by a factor of more than 1.8.
+/// Noise of the torque sensors does not count as unexplained torque, nor do torques below half a percent of
+/// the effort limit.
 std::vector<std::string> theta_doubts(const RobotModel& model, const Identification& found);
 
 }  // namespace armtune::internal

@@ -1,6 +1,7 @@
 #pragma once
-// Computes the RMS of each joint's residual tau - Y_base theta_base, for any vector of base parameters
-// theta_base. Only the second moments of the rows (Y_base, tau) are stored, not the rows.
+// Computes the RMS of each joint's residual tau - Y_base theta_base for any base parameters theta_base, where
+// tau are the logged torques and Y_base is the regressor. Only the second moments of the rows (Y_base, tau)
+// are stored, not the rows.
 
 #include <Eigen/Core>
 #include <vector>
@@ -18,8 +19,8 @@ class TorqueMoments {
   long count() const { return count_; }
   /// Returns the RMS of the torque of every joint (n) [N m, N]; zeros without rows.
   Eigen::VectorXd torque_rms() const;
-  /// Returns the RMS of tau - Y theta_base of every joint (n) [N m, N], to about 1e-8 of the torque; zeros
-  /// without rows.
+  /// Returns the RMS of tau - Y_base theta_base of every joint (n) [N m, N]; zeros without rows. Rounding
+  /// errors are about 1e-8 of the torque.
   Eigen::VectorXd residual_rms(const Eigen::VectorXd& theta_base) const;
 
  private:

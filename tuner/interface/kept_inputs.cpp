@@ -42,7 +42,7 @@ KeptInputs::KeptInputs(const std::string& folder, const std::vector<std::shared_
   for (const auto& some : files) {
     if (some == nullptr) {
       throw InputError(fmt::format(
-          "{}: no file contains {}, so the folder could not record what is simulated; run without a folder",
+          "{}: no file matches {}, so this folder cannot keep a copy of the input; run without a folder",
           folder, what));
     }
   }

@@ -16,7 +16,8 @@ namespace armtune {
 /// Returns path and hash of each file as it is now.
 InputFiles input_files(const std::vector<std::string>& paths);
 
-/// Returns the files of the study and of its scenarios, or of the scenarios.
+/// Returns the files that the argument was read from: those of a study and of its scenarios, or those of
+/// scenarios alone.
 std::vector<std::shared_ptr<const InputFiles>> files_of(const Study& study);
 std::vector<std::shared_ptr<const InputFiles>> files_of(const std::vector<Scenario>& scenarios);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Converts results of the simulation into the types of the public interface.
+// Converts results of simulations into the types of the public interface.
 
 #include "armtune/rollout.hpp"
 #include "armtune/study.hpp"
@@ -15,7 +15,7 @@ struct RolloutMaker {
   static Rollout made(internal::ScenarioResult result, Rollout recording = {});
   /// Converts a result with its broken limits. The arm's limits must have been checked during the rollout.
   static Rollout watched(internal::ScenarioResult result, Rollout recording = {});
-  /// Moves the recording into the rollout. completed: as for Recorder::rows.
+  /// Moves the recording into the rollout. completed: true if the rollout completed (see Recorder::rows).
   static void record(Rollout& rollout, internal::Recorder recorder, bool completed);
   static const internal::ScenarioResult& result_of(const Rollout& rollout);
 };

@@ -227,8 +227,8 @@ std::string Journal::read(const RunHeader& now) {
   long records = 0;
   const auto refuse = [&](const std::string& what) {
     throw InputError(
-        fmt::format("{}:{}: record {} {}; a kill damages only the last record. Restore the file from a "
-                    "backup, or start the run again",
+        fmt::format("{}:{}: record {} {}. A kill is not the cause, because it damages only the last record. "
+                    "Restore the file from a backup, or start the run again",
                     path_, damaged, records, what));
   };
   while (lines.next()) {
@@ -242,8 +242,8 @@ std::string Journal::read(const RunHeader& now) {
     try {
       take(*payload, lines.place());
     } catch (const std::invalid_argument& e) {
-      throw InputError(fmt::format("{}:{}: record {}: {}; another version of armtune wrote it", path_,
-                                   lines.number(), records, e.what()));
+      throw InputError(fmt::format("{}:{}: record {}: {}; another version of armtune wrote this record",
+                                   path_, lines.number(), records, e.what()));
     }
     ++records;
   }

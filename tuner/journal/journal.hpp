@@ -1,7 +1,7 @@
 #pragma once
-// The journal of a run, stored in journal.txt. It keeps every finished evaluation with a checksum, so that a
-// run that was killed resumes where it stopped. Each line begins with a checksum (16 hexadecimal digits) of
-// the rest of the line.
+// The journal of a run, stored in journal.txt. It keeps every finished evaluation, so that a run that was
+// killed resumes where it stopped. Each line begins with a checksum (16 hexadecimal digits) of the rest of
+// the line.
 
 #include <cstdint>
 #include <map>
@@ -15,8 +15,9 @@
 
 namespace armtune::internal {
 
-/// The time budgets of a run. kRun is that of the whole run. kSearch ends earlier, so that time is left for
-/// the last steps after a search. kGlobal limits a global search, so that time is left for the local one.
+/// The time budgets of a run. kRun is the budget of the whole run. kSearch ends earlier, so that time is left
+/// for the last steps after a search. kGlobal ends earlier still: it limits the global search, so that time
+/// is left for the local searches.
 enum class Minutes { kRun, kSearch, kGlobal };
 
 class Journal {
@@ -25,9 +26,10 @@ class Journal {
   static std::unique_ptr<Journal> begin(const std::string& path, const RunHeader& header);
 
   /// Opens a journal to continue it. If the run was killed while it wrote, the incomplete last line is cut
-  /// off, and `warning` reports it. patience: how long to wait for another process that writes it [s]. Throws
-  /// InputError if the file cannot be read, a line is damaged (naming the record), another process is writing
-  /// it, or `now` differs from the header in the journal (naming what differs).
+  /// off, and `warning` reports it. patience: how long to wait if another process has the journal open for
+  /// writing [s]. Throws InputError if the file cannot be read, a line is damaged (naming the record),
+  /// another process is writing the file, or `now` differs from the header in the journal (naming what
+  /// differs).
   static std::unique_ptr<Journal> resume(const std::string& path, const RunHeader& now, std::string& warning,
                                          double patience = 0.0);
 
@@ -37,8 +39,8 @@ class Journal {
   /// Appends a record and writes it to disk. Throws FailedError if the disk refuses it.
   void append(const JournalRecord& record);
 
-  /// Returns the number that the next evaluation had when this time budget was used up; nothing if it was
-  /// not.
+  /// Returns the number of the evaluation that was next when this time budget was used up; nothing if the
+  /// budget was not used up.
   std::optional<std::uint64_t> time_was_up(Minutes minutes = Minutes::kRun) const;
   void time_is_up(std::uint64_t number, Minutes minutes = Minutes::kRun);
 
@@ -59,7 +61,7 @@ class Journal {
   std::string path_;
   AppendFile file_;
   long size_ = 0;                         ///< size of the file [bytes]
-  std::map<std::uint64_t, long> places_;  ///< finished records by number: place of their lines
+  std::map<std::uint64_t, long> places_;  ///< offset of each record's line [bytes], by number of the record
   std::map<Minutes, std::uint64_t> time_was_up_;
   std::optional<int> exit_code_;
   double seconds_ = 0.0;

@@ -48,7 +48,7 @@ std::string differences(const RunHeader& was, const RunHeader& is,
     text += fmt::format("{}{} was '{}', is '{}'", text.empty() ? "" : "; ", one_line(name),
                         beginning(line_before), beginning(line_now));
     if (const auto copy = copy_of ? copy_of(before) : std::nullopt)
-      text += fmt::format(" (the original is {})", *copy);
+      text += fmt::format(" (the original content is in {})", *copy);
   };
   // By name and value: a name may stand more than once. What is told of is in one of the two alone.
   using Identity = decltype(RunHeader::identity);

@@ -27,11 +27,13 @@ class RunningTime {
   double seconds_ = 0.0;
 };
 
+/// A wait that begins with the construction of the object.
 class Patience {
  public:
+  /// Returns the time waited so far [s], as RunningTime counts it.
   double seconds() { return time_.look(); }
-  /// Sleeps for a fiftieth of the wait so far, but between 0.1 and 1 ms. The end of the wait is thus noticed
-  /// late by at most 2 %, or by less than a millisecond.
+  /// Sleeps for 2 % of the time waited so far, but for at least 0.1 ms and at most 1 ms. The caller thus
+  /// notices the message at most 1 ms after it has arrived.
   void sleep() {
     constexpr double kShortest = 1e-4;
     constexpr double kLongest = 1e-3;

@@ -9,13 +9,14 @@
 
 namespace armtune::internal {
 
-/// The place of a process as the launcher (mpirun, srun) gives it in the environment, before MPI is started.
+/// The rank of this process and the number of ranks. The launcher (mpirun, srun) passes both in environment
+/// variables, so they can be read before MPI is started.
 struct RankPlace {
   int rank = 0;
-  int size = 1;  ///< 1 if nothing launched this process, or launched it alone
+  int size = 1;  ///< number of ranks; 1 if there is no launcher, or if it started one process only
 };
 RankPlace rank_place();
-/// Returns the number of tasks that srun started without connecting them as ranks; 0 unless it did.
+/// Returns the number of tasks if srun started several tasks but did not connect them as ranks; otherwise 0.
 int strangers();
 
 /// Returns the name of this machine, as messages show it.
@@ -24,10 +25,10 @@ std::string host_name();
 /// A function that shows the user a message while the work continues. It is called from any thread.
 using Notice = std::function<void(const std::string&)>;
 
-// How long rank 0 waits for another rank, without the time in which it is stopped itself. [s]
-constexpr double kSayAfter = 10.0;       ///< after this it tells the user, once for each rank
-constexpr double kStartSeconds = 120.0;  ///< to start and to read a study, also from a slow disk
-constexpr double kEndSeconds = 10.0;     ///< to end
+// Times for which rank 0 waits for another rank [s]. Time in which rank 0 itself is stopped does not count.
+constexpr double kSayAfter = 10.0;       ///< wait after which the user gets a message, once per rank
+constexpr double kStartSeconds = 120.0;  ///< longest wait until it has started and read the study
+constexpr double kEndSeconds = 10.0;     ///< longest wait until it has ended its work
 
 /// A connection to the other ranks. It can be called from any thread. Only end() waits for another process.
 class Transport {
@@ -39,9 +40,10 @@ class Transport {
 
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  /// Sends a message. It is kept until it is received. Messages from one rank to another arrive in order.
+  /// Sends a message to the rank `to` without waiting. The message is kept until that rank receives it.
+  /// Messages from one rank to another arrive in order.
   virtual void send(int to, std::string message) = 0;
-  /// Returns the next message of a rank, if there is one.
+  /// Returns the next message from the rank `from`, or nothing if none has arrived.
   virtual std::optional<std::string> receive(int from) = 0;
   /// Ends MPI together with all other ranks. No call may follow.
   virtual void end() = 0;
@@ -49,10 +51,10 @@ class Transport {
   virtual void abort(int exit_code) = 0;
 };
 
-/// Starts MPI, once in the life of a process, and returns when all ranks have started. While rank 0 waits for
-/// them it reports so to `notice`. No rank waits longer than kStartSeconds and five more; then the process
-/// ends with exit code 1. Throws InputError if armtune was built without MPI, or if MPI sees other ranks than
-/// the launcher started.
+/// Starts MPI and returns when all ranks have started. Call it at most once in a process. If rank 0 has
+/// waited for kSayAfter, it reports this to `notice`. Rank 0 waits at most kStartSeconds, the other ranks 5 s
+/// longer. Then the process ends with exit code 1. Throws InputError if armtune was built without MPI, or if
+/// the number of ranks in MPI differs from the number that the launcher started.
 std::unique_ptr<Transport> begin_mpi(const Notice& notice);
 
 /// Returns the version of the linked MPI library, or "not built in".

@@ -1,7 +1,7 @@
 #pragma once
-// Declarations of types that are stored as JSON. A type is declared once: `declare` names each member with
-// its value and its meaning. Visitors make everything else from it: JsonWriter the text, JsonReader the
-// value, and TypePrinter the interface for TypeScript code that reads the text.
+// Declarations of types that are stored as JSON. A type is declared once: its function `declare` names each
+// member with its value and its meaning. Three visitors use this function. JsonWriter writes a value as JSON
+// text. JsonReader reads it back. TypePrinter prints the interface for TypeScript code that reads the text.
 //
 //   struct Sample {
 //     long number = 0;
@@ -12,9 +12,10 @@
 //     }
 //   };
 //
-// Members are numbers, truth values, texts, enumerations with a function `name`, spatial vectors, quaternions
-// (w, x, y, z), and lists, pairs and optional values of these, and of types that are declared themselves. If
-// a text must be one of a few words, or if two words represent a truth value, the words follow the value.
+// A member can be a number, a boolean, a text, an enumeration with a function `name`, a spatial vector, a
+// quaternion (w, x, y, z), or a type that is declared in the same way. It can also be a list, a pair or an
+// optional value of these. Two kinds of members need a list of words, given directly after the value: a text
+// that must be one of a few words, and a boolean that is stored as one of two words.
 
 #include <concepts>
 #include <initializer_list>
@@ -29,18 +30,18 @@ namespace armtune::internal::record {
 enum class Presence {
   kAlways,
   kIfAny,   ///< left out if it is empty
-  kOrNull,  ///< null for values that are not numbers, also in lists; never read back
+  kOrNull,  ///< NaN and infinity become null, also in lists; such a member is never read back
   kLater    ///< always written, but missing in files of older versions
 };
 
 using Words = std::initializer_list<const char*>;
 
-/// A constraint for a function `declare` beside a type that does not declare itself: T is that type, const or
-/// not.
+/// A constraint for a function `declare` that is defined outside its type. It holds if T is `Type` or
+/// `const Type`.
 template <typename T, typename Type>
 concept Of = std::same_as<std::remove_const_t<T>, Type>;
 
-/// Visits the members of a type that declares itself.
+/// Visits the members of a type that has its own static function `declare`.
 template <typename Fields, typename T>
 requires requires(Fields& f, T& value) {
   std::remove_const_t<T>::declare(f, value);
@@ -49,7 +50,7 @@ void declare(Fields& f, T& value) {
   std::remove_const_t<T>::declare(f, value);
 }
 
-/// Returns the names of an enumeration whose values count from 0.
+/// Returns the names of an enumeration whose values are 0, 1, 2 and so on.
 template <typename Enum>
 std::vector<std::string> names_of() {
   std::vector<std::string> names;

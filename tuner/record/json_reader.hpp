@@ -1,7 +1,7 @@
 #pragma once
 // Reads objects from JSON. The members of their types are declared as in declaration.hpp. The reader uses the
-// YAML reader, because JSON is a subset of YAML. Therefore it has the same limits, and its errors name file,
-// line and key.
+// YAML reader, because JSON is a subset of YAML. Therefore the size limits of YAML files apply, and errors
+// name file, line and key.
 
 #include <algorithm>
 #include <optional>
@@ -15,7 +15,8 @@ namespace armtune::internal::record {
 template <typename T>
 void read(const yaml::Node& node, T& value);
 
-/// Returns the index of a word among the allowed ones. Throws InputError naming these if it is another word.
+/// Returns the index of the node's word in `words`. If it is not among them, throws InputError that lists the
+/// allowed words.
 inline std::size_t index_of_word(const yaml::Node& node, const std::vector<std::string>& words) {
   const std::string word = node.as_string();
   const auto found = std::find(words.begin(), words.end(), word);
@@ -63,8 +64,8 @@ class JsonReader {
   yaml::MapReader& map_;
 };
 
-/// Reads a value. Throws InputError naming file, line, key, value and what is expected, also for a key that
-/// is not declared. Types that are not declared are read by a function `read` beside them.
+/// Reads a value. Throws InputError that names file, line, key and value, and states what is expected. A key
+/// that is not declared is an error too. A type without a declaration needs its own function `read`.
 template <typename T>
 void read(const yaml::Node& node, T& value) {
   if constexpr (std::is_enum_v<T>) {

@@ -11,7 +11,7 @@ namespace armtune::internal::record {
 template <typename T>
 void write(std::string& out, const T& value);
 
-/// A visitor that appends the members that `declare` visits.
+/// A visitor that appends the members that `declare` visits to a JSON text.
 class JsonWriter {
  public:
   explicit JsonWriter(std::string& out) : out_(out) {}
@@ -38,8 +38,8 @@ class JsonWriter {
   bool separate_ = false;
 };
 
-/// Appends a value. Types that are neither declared nor listed in declaration.hpp are written by a function
-/// `write` beside them.
+/// Appends a value to a JSON text. A type that is neither declared nor listed in declaration.hpp needs its
+/// own function `write`.
 template <typename T>
 void write(std::string& out, const T& value) {
   if constexpr (std::is_same_v<T, bool>) {
@@ -73,7 +73,7 @@ void write(std::string& out, const T& value) {
   }
 }
 
-/// Returns the text of one value.
+/// Returns the JSON text of one value.
 template <typename T>
 std::string json_of(const T& value) {
   std::string text;

@@ -9,7 +9,8 @@
 
 namespace armtune::internal::record {
 
-/// A printer of interfaces. It prints the interface of a type after those of the types in it, each once.
+/// A printer of interfaces. It prints each interface once, and the interfaces of a type's members before the
+/// interface of the type itself.
 class TypePrinter {
  public:
   /// Returns the TypeScript type of a value. If the type is declared, prints its interface first.

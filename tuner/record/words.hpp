@@ -9,8 +9,8 @@ inline constexpr const char* kTorque = "torque";
 inline constexpr const char* kToolPath = "tool path";
 inline constexpr const char* kGaze = "gaze";
 inline constexpr const char* kPathCoordinate = "path coordinate";
-inline constexpr const char* kDistanceTo = "distance to ";           ///< an obstacle's name follows
-inline constexpr const char* kDistanceToPart = "distance to part ";  ///< of the cell; its name follows
+inline constexpr const char* kDistanceTo = "distance to ";           ///< followed by an obstacle's name
+inline constexpr const char* kDistanceToPart = "distance to part ";  ///< followed by a cell part's name
 inline constexpr const char* kDistanceToFloor = "distance to the floor";
 inline constexpr const char* kDistanceBetweenLinks = "distance between links";
 

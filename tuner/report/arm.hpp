@@ -75,12 +75,13 @@ struct Arm {
 };
 
 /// Returns the arm with its shapes from the URDF. A link has its visual shapes, or its collision shapes if no
-/// visual one can be drawn. Meshes that cannot be loaded are left out, and so are meshes beyond a limit of
-/// triangles per arm. A moving link without any shape gets capsules between joint origins.
+/// visual shape can be drawn. Meshes that cannot be loaded are left out. An arm has a largest number of
+/// triangles, and meshes beyond it are left out too. A moving link without any shape gets capsules between
+/// joint origins.
 Arm arm_of(const RobotModel& model);
 
-/// Removes the meshes, and draws links that have no other shape as capsules. Returns the bytes of text that
-/// this saves.
+/// Removes the meshes, and draws links that have no other shape as capsules. Returns by how many bytes this
+/// shortens the text of the page.
 std::size_t draw_without_meshes(Arm& arm);
 
 }  // namespace armtune::internal::report

@@ -1,7 +1,7 @@
 #pragma once
-// Thins the rows of a recorded rollout for a plot. The rows are divided into buckets of equal length, and the
-// plot keeps the smallest and the largest value of each. With one bucket per pixel it looks the same as with
-// every row.
+// Thins the rows of a recorded rollout for a plot. The rows are divided into buckets, that is, groups of
+// equally many consecutive rows. The plot keeps only the smallest and the largest value of each bucket. With
+// one bucket per pixel, this plot looks the same as a plot of all rows.
 
 #include <span>
 #include <vector>
@@ -10,21 +10,25 @@ namespace armtune::internal::report {
 
 class Buckets {
  public:
-  /// Makes at most `most` buckets (>= 1) over `rows` rows. If each would hold two rows or fewer, every row is
-  /// kept.
+  /// Divides `rows` rows into `most` (>= 1) buckets. If a bucket would hold two rows or fewer, there are no
+  /// buckets, and every row is kept.
   Buckets(std::size_t rows, std::size_t most);
 
+  /// True if every row is kept.
   bool whole() const { return count_ == 0; }
+  /// Returns the number of points of a plot: one per row if every row is kept, otherwise two per bucket.
   std::size_t points() const { return whole() ? rows_ : 2 * count_; }
 
-  /// Returns two times per bucket: of its first and of its middle row. time: one per row, not decreasing.
+  /// Returns the time of every point: the time of a bucket's first row, then that of its middle row. time:
+  /// the time of every row; must not decrease.
   std::vector<double> times(std::span<const double> time) const;
 
-  /// Returns two values per bucket, its smallest and its largest finite one, in the order of their rows. They
-  /// are NaN if the bucket holds no finite value.
+  /// Returns the value of every point: the smallest and the largest finite value of a bucket, in the order of
+  /// their rows. Both are NaN if the bucket has no finite value. column: one value per row.
   std::vector<double> extremes(std::span<const double> column) const;
 
-  /// Returns the first row of bucket b, or the number of rows for b = points() / 2.
+  /// Returns the index of the first row of bucket b. For b equal to the number of buckets, returns the number
+  /// of rows. Requires !whole().
   std::size_t first_row(std::size_t b) const;
 
  private:

@@ -1,16 +1,16 @@
 #pragma once
-// The HTML page that shows a report. It is built from web/ with Node, and compiled into armtune as a text. To
-// make a report, armtune inserts the run's data into it.
+// The HTML page that shows a report. The page is built from web/ with Node, and compiled into armtune as a
+// text. To make a report, armtune inserts the run's data into this text.
 
 #include <string>
 #include <string_view>
 
 namespace armtune::internal::report {
 
-/// Returns the page without its data, or an empty text if armtune was built without it (ARMTUNE_REPORT).
+/// Returns the page without data. The text is empty if armtune was built without the page (ARMTUNE_REPORT).
 std::string_view page_text();
 
-/// Returns the page with the data inserted in place of its mark <!--report-data-->. json: text from
+/// Returns the page with the data in place of the mark <!--report-data-->. json: text from
 /// report_json. Throws FailedError if the page does not contain the mark exactly once.
 std::string filled_page(std::string_view page, std::string_view json);
 

@@ -162,8 +162,7 @@ class PlanAssembly {
         worst = &limit;
     }
     if (worst == nullptr) return {};
-    if (worst->between_knots < kBeyond)
-      return "Between the knots, too, no limit is exceeded by more than 0.1 %";
+    if (worst->between_knots < kBeyond) return "Between the knots, no limit is exceeded by more than 0.1 %";
     return fmt::format(
         "Between the knots, where limits are not enforced, {} reaches {:.2f} % of its limit; more knots "
         "reduce this",
@@ -173,7 +172,7 @@ class PlanAssembly {
   Verdict verdict(const std::vector<PlanLimit>& limits) const {
     Verdict verdict;
     const std::string headline = entry("headline");
-    verdict.sentence = joined({headline.empty() ? "the figures of this plan could not be read" : headline,
+    verdict.sentence = joined({headline.empty() ? "the numbers of this plan could not be read" : headline,
                                headline.empty() ? "" : held_back(limits)});
     if (const std::string words = between(limits); !words.empty()) verdict.details.push_back(words);
     if (scene_.arms.empty())

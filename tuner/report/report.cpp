@@ -34,8 +34,8 @@ Written write_report(const std::string& folder, const std::string& path, Existin
   const std::string html = filled_page(page_text(), report_json(data));
   if (html.size() > kMostBytes) {
     data.left_out.push_back(
-        fmt::format("nothing more, although the page has {:.1f} MB: its names and texts cannot be shortened "
-                    "to {:.0f} MB",
+        fmt::format("nothing more, but the page still has {:.1f} MB, because its names and texts cannot be "
+                    "shortened to {:.0f} MB",
                     1e-6 * static_cast<double>(html.size()), 1e-6 * static_cast<double>(kMostBytes)));
   }
   existing == Existing::kReplace ? write_text_file(path, html) : write_new_text_file(path, html);

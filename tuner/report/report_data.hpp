@@ -1,7 +1,7 @@
 #pragma once
-// The data that a report page shows. Each member is declared once with its meaning; the JSON in the page and
+// The data that a report page shows. Each member is declared once with its meaning. The JSON in the page and
 // the types of web/src/data.ts are made from the declarations. Units are SI. NaN stands for a missing value.
-// Any text is data and is shown as it is: markup in a name is never run. A missing part removes its section.
+// Texts are shown literally: HTML in a name is not interpreted. A section without data is not shown.
 
 #include <optional>
 #include <string>
@@ -18,7 +18,8 @@
 
 namespace armtune::internal::report {
 
-/// The joint that a value belongs to and its time, such as " at 6.01 s". Each may be empty.
+/// The joint that a value of a metric belongs to, and the time of the value as a text, such as " at 6.01 s".
+/// Each of the two may be empty.
 struct Place {
   std::string joint, when;
 };
@@ -126,8 +127,8 @@ struct ReportData {
   std::optional<Robustness> robustness;
   std::optional<Plan> plan;
   Provenance provenance;
-  std::vector<std::string> left_out;  ///< reasons why files could not be understood
-  std::vector<std::string> thinned;   ///< what the page leaves out to limit its size
+  std::vector<std::string> left_out;  ///< for each file that could not be understood, the reason
+  std::vector<std::string> thinned;   ///< parts that the page leaves out to limit its size
 
   static void declare(auto& f, auto& data) {
     f.type("ReportData")("format", 1)("kind", data.kind)("title", data.title)("verdict", data.verdict);
@@ -143,8 +144,8 @@ struct ReportData {
   }
 };
 
-/// Returns the text of the object that web/src/data.ts calls ReportData. It contains no `<`, so that it can
-/// be inserted into an HTML page.
+/// Returns the data as JSON text of the type ReportData in web/src/data.ts. The text contains no `<`, so that
+/// it can be inserted into an HTML page.
 std::string report_json(const ReportData& data);
 
 }  // namespace armtune::internal::report

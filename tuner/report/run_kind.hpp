@@ -1,5 +1,5 @@
 #pragma once
-// Finds out which armtune command wrote a run folder. The report page depends on it.
+// Finds out which armtune command wrote a run folder. The contents of a report page depend on the command.
 
 #include <string>
 
@@ -13,8 +13,9 @@ constexpr const char* name(RunKind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-/// Finds the kind of run by its journal, or else by the files in the folder. Throws InputError if no report
-/// can be made from the folder.
+/// Returns the command that wrote the folder. It is read from the run's journal. If there is no journal, or
+/// if it is damaged, the files in the folder decide. Throws InputError if no report can be made from the
+/// folder.
 RunKind kind_of(const std::string& folder);
 
 }  // namespace armtune::internal::report

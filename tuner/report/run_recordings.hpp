@@ -9,13 +9,14 @@
 
 namespace armtune::internal::report {
 
-/// Returns the name of a gain set's file below the run's folder, such as "start/gains.yaml".
+/// Returns the path of a gain set's file, relative to the run folder, such as "start/gains.yaml".
 std::string name_in(const SceneSet& set, const std::string& file);
 
-/// Adds plots and replays of `data.scenarios`, whose names must be set, from the rollout_<scenario>.csv files
-/// of every set. room: bytes of text that they may take. If they do not all fit, scenarios that failed or
-/// broke a limit of the arm with the last set come first, obstacles far from the tool are left out, and
-/// `data.thinned` lists what is missing. A recording that cannot be understood is named in `data.left_out`.
+/// Adds plots and replays to `data.scenarios` from the files rollout_<scenario>.csv of every gain set. The
+/// names of the scenarios must be set. room: bytes of text that plots and replays may take. If not all of
+/// them fit, scenarios have priority that failed or broke a limit of the arm with the last gain set. Then
+/// obstacles far from the tool are left out too. `data.thinned` lists all that is missing. `data.left_out`
+/// lists the recordings that cannot be understood.
 void add_recordings(const std::string& folder, const Scene& scene, std::size_t room, ReportData& data);
 
 }  // namespace armtune::internal::report

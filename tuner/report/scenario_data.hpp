@@ -1,6 +1,6 @@
 #pragma once
-// The data that a report page shows of one scenario: its rollouts with plots and replays, or a planned motion
-// with its limits.
+// The data about one scenario on a report page. They are its rollouts with plots and 3D replays, or a planned
+// motion with its limits.
 
 #include <optional>
 #include <string>
@@ -81,7 +81,7 @@ struct Run {
   double start = 0.0, end = 0.0;
   std::vector<StateChange> states;
   std::vector<std::pair<double, double>> slerps;
-  double shortest_state = 0.0;  ///< states and slerps shorter than this [s] are left out; 0: none are
+  double shortest_state = 0.0;  ///< states and slerps shorter than this [s] are left out
   Series time;
   std::vector<PlotColumn> columns;
   Replay replay;
@@ -122,7 +122,7 @@ struct PlanLimit {
       "Largest share that is used between the knots, where the limit is not enforced.", kOrNull);
     f("active", limit.active, "Share of the knots at which the limit is active.");
     f("strength", limit.strength,
-      "Sum of its multipliers: s, or cost, per unit by which the limit is relaxed; 0 if inactive.");
+      "Sum of its multipliers: time in s, or cost, saved per unit of relaxation; 0 if inactive.");
     f("active_lower", limit.active_lower)("active_upper", limit.active_upper);
     f("group", limit.group, kPlots, "The plot that shows it.")("column", limit.column, "The limited column.");
   }

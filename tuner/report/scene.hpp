@@ -1,6 +1,6 @@
 #pragma once
-// The scene of a run, stored in scene.json beside the CSV files. It contains what a 3D replay needs in
-// addition to these: the arms, the tool paths, the obstacles and the parts of the cell.
+// The scene of a run. A 3D replay needs the CSV files of a run and the scene, which is stored beside them in
+// scene.json. The scene contains the arms, the tool paths, the obstacles and the parts of the robot's cell.
 
 #include <optional>
 #include <string>
@@ -13,11 +13,11 @@
 
 namespace armtune::internal::report {
 
-/// A gain set of the run, with the place of its files gains.yaml and rollout_<scenario>.csv.
+/// A gain set of the run, with the paths of its files. The paths are relative to the run folder.
 struct SceneSet {
   std::string name;
-  std::string folder = ".";           ///< below the run's folder
-  std::string errors = "errors.csv";  ///< below the run's folder
+  std::string folder = ".";           ///< folder of gains.yaml and rollout_<scenario>.csv
+  std::string errors = "errors.csv";  ///< file of the metrics; empty if there is none
 
   static void declare(auto& f, auto& set) { f("name", set.name)("folder", set.folder)("errors", set.errors); }
 };
@@ -29,12 +29,11 @@ struct SceneObstacle {
   static void declare(auto& f, auto& obstacle) { f("radius", obstacle.radius)("path", obstacle.path); }
 };
 
-/// A part of the robot's cell, such as a table. Its shape belongs to no joint, and its path is that of its
-/// centre.
+/// A part of the robot's cell, such as a table.
 struct ScenePart {
   std::string name;
-  ArmShape shape;
-  Path path;
+  ArmShape shape;  ///< belongs to no joint
+  Path path;       ///< path of the shape's centre
 
   static void declare(auto& f, auto& part) { f("name", part.name)("shape", part.shape)("path", part.path); }
 };
@@ -45,7 +44,7 @@ struct SceneScenario {
   std::size_t arm = 0;    ///< index into Scene::arms
   Path path;              ///< path of the tool
   std::vector<SceneObstacle> obstacles;
-  double influence_radius = 0.0;  ///< from the first set's gains [m]; 0 without obstacles
+  double influence_radius = 0.0;  ///< of the obstacles, with the first set's gains [m]; 0 without obstacles
   std::vector<ScenePart> cell;
   std::optional<double> floor;  ///< height above the base frame's origin [m]
 
@@ -67,15 +66,17 @@ struct Scene {
   }
 };
 
-/// Returns the gain sets of a run without scene.json, by the kind of run. For a comparison it reads them
-/// from the run's file. Throws InputError if that cannot be read.
+/// Returns the gain sets of a run folder without scene.json. They depend on the kind of run. For a comparison
+/// their names are read from comparison.csv. Throws InputError if this file cannot be read.
 std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder);
 
-/// Makes the scene of scenarios and sets. influence_radius: of the reference gains [m].
+/// Returns the scene of these scenarios and gain sets. influence_radius: the obstacles' influence radius in
+/// the first set's gains [m].
 Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> sets, double influence_radius);
 
-/// Returns a path as a closed polyline, accurate to a hundredth of a millimetre [m]. It covers one period, or
-/// the way there and back if the path has no period, or is a single point if the path is at rest.
+/// Returns points of a path as a closed polyline [m]; coordinates are rounded to 0.01 mm. If the path has a
+/// period, the polyline covers one period. Otherwise it goes along the path and back. If the path is at rest,
+/// it is a single point.
 std::vector<Vec3> drawn_path(const Path& path);
 
 /// Returns the text of scene.json.

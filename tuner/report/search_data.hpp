@@ -1,6 +1,6 @@
 #pragma once
-// The data that a report page shows of a search: its evaluations, gains, sensitivity and trade-off, and the
-// arms on which the result was tested.
+// The data about a search on a report page: the evaluations, the gains, their sensitivities, the stability
+// margins, the trade-off between criteria, and the results on random arms.
 
 #include <optional>
 #include <string>
@@ -54,7 +54,8 @@ struct Evaluations {
     f("start", all.start, "Index of the evaluation of the start gains; -1 if there is none.");
     f("chosen", all.chosen, "Index of the chosen evaluation; -1 if there is none.");
     f("native", all.native,
-      "True for armtune's own engine, whose results are not reported. Absent: all are from Simbody.", kIfAny);
+      "True if armtune's own engine simulated it, false for Simbody. Absent if Simbody simulated all.",
+      kIfAny);
     f("thinned", all.thinned, "Absent if all evaluations are shown.", kIfAny);
   }
 };
@@ -171,9 +172,10 @@ struct Robustness {
   std::pair<double, double> interval;
   std::vector<Histogram> histograms;
   std::vector<WorstSample> worst;
-  std::vector<std::pair<std::string, std::size_t>> broken;  ///< limit and number of samples, most first
+  /// Each limit that was broken, with its scenario, and the number of arms that broke it; most arms first.
+  std::vector<std::pair<std::string, std::size_t>> broken;
 
-  /// Returns the share of the arms that keep every limit; 0 without arms.
+  /// Returns the share of the arms that keep every limit, or 0 if there are no arms.
   double yield() const {
     return samples > 0 ? static_cast<double>(kept) / static_cast<double>(samples) : 0.0;
   }

@@ -1,6 +1,7 @@
 #pragma once
-// A column of numbers, quantised to two bytes each between its smallest and its largest value. A report page
-// stores its plots and replays in this form to save space.
+// A column of numbers in compressed form. Each number is rounded to one of 65535 equally spaced values
+// between the smallest and the largest number of the column, and takes two bytes. A report page stores its
+// plots and replays in this form.
 
 #include <cstdint>
 #include <span>
@@ -11,15 +12,15 @@
 namespace armtune::internal::report {
 
 struct Series {
-  static constexpr std::uint16_t kSteps = 65534;    ///< from lo to hi
-  static constexpr std::uint16_t kNoValue = 65535;  ///< code for NaN or infinite
+  static constexpr std::uint16_t kSteps = 65534;    ///< number of steps from lo to hi
+  static constexpr std::uint16_t kNoValue = 65535;  ///< code of NaN and of infinite numbers
 
-  double lo = 0.0;  ///< 0 if no number is finite
-  double hi = 0.0;
-  std::vector<std::uint16_t> steps;
+  double lo = 0.0;                   ///< smallest finite number; 0 if no number is finite
+  double hi = 0.0;                   ///< largest finite number; 0 if no number is finite
+  std::vector<std::uint16_t> steps;  ///< each number as its distance from lo in steps, or kNoValue
 
-  /// Returns the number at i, or NaN if it is missing. Its error is at most half a step, (hi - lo) / 131068;
-  /// lo and hi are exact.
+  /// Returns the number at index i, or NaN if its code is kNoValue. The rounding error is at most half a
+  /// step, that is, (hi - lo) / 131068. The numbers lo and hi themselves are exact.
   double at(std::size_t i) const;
 
   static void declare(auto& f, auto& series) {

@@ -139,7 +139,7 @@ void shorten(ReportData& data) {
   keep_first(data.margins, kMostRows, "rows of margins.csv", data);
   keep_first(data.yardstick, kMostRows, "rows of yardstick.csv", data);
   if (data.robustness)
-    keep_first(data.robustness->histograms, kMostHistograms, "histograms; summary.csv has their figures",
+    keep_first(data.robustness->histograms, kMostHistograms, "histograms; summary.csv has the numbers of all",
                data);
   keep_first(data.verdict.details, kMostHistograms, "lines of this list", data);
   keep_first(data.provenance.entries, kMostRows, "entries of run.yaml", data);

@@ -5,16 +5,17 @@
 
 namespace armtune::internal::report {
 
-/// Shortens the sections of a page that grow with the run, except the recordings, so that they take at most
-/// about half of its 6 MB. `data.thinned` says what is left out. Counts still include everything.
+/// Shortens the sections whose length depends on the run, except the recordings. They then take at most about
+/// half of the page's 6 MB. `data.thinned` lists what is left out. Counts still include everything.
 void shorten(ReportData& data);
 
-/// Draws links as capsules instead of meshes, beginning with the last arm, until the data take at most
-/// `bytes`. Adds the arms to `data.thinned`.
+/// Draws links as capsules instead of meshes, until the data take at most `bytes`. It replaces all meshes of
+/// one arm at a time, beginning with the last arm, and adds the arm to `data.thinned`.
 void drop_meshes(std::size_t bytes, ReportData& data);
 
-/// Keeps at most 20,000 evaluations. If there are more, it keeps the start, the chosen one, and, from groups
-/// of equally many consecutive ones, the best feasible one, the best infeasible one and the worst.
+/// Thins the evaluations if there are more than 20,000. It keeps the start and the chosen one. It divides all
+/// evaluations into groups of equally many consecutive ones. From each group it keeps three: the best
+/// feasible one, the best infeasible one and the worst.
 void thin(Evaluations& evaluations);
 
 }  // namespace armtune::internal::report

@@ -1,6 +1,7 @@
 #pragma once
-// Reads study.yaml of a run folder for the report. A study defines a tuning task: the gains, the terms of the
-// objective, and the limits. Files that study.yaml names are not read, because they may have been moved.
+// Reads study.yaml of a run folder for the report. A study defines a tuning task: the gains to tune, the
+// terms of the objective, and the limits (constraints). Other files that study.yaml names are not read,
+// because they may have been moved.
 
 #include <optional>
 #include <string>
@@ -25,8 +26,8 @@ struct StudyTerm {
 
 struct StudyLimit {
   Metric metric = Metric::kPositionMax;
-  bool upper = true;            ///< true: at most; false: at least
-  std::optional<double> value;  ///< empty: the start's value
+  bool upper = true;            ///< true: the metric must be at most `value`; false: at least
+  std::optional<double> value;  ///< empty: the metric's value with the start gains
   std::vector<std::string> scenarios;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// Decides which scenarios a report page shows if there are too many for all: those that failed come first.
+// Sorts scenarios by priority for a report page that has no room for all of them. Scenarios that failed come
+// first.
 
 #include <string>
 #include <vector>

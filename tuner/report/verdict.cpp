@@ -84,7 +84,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
                              closest_joint(tables, tuned), kept});
   if (data.judged) {
     verdict.details.push_back(fmt::format(
-        "Every figure here is the {}; the figures of the nominal arm are below", data.judged->measure));
+        "Every number here is the {}; the numbers of the nominal arm are below", data.judged->measure));
   }
   if (data.evaluations) {
     verdict.details.push_back(fmt::format("{} evaluations{}", data.evaluations->objective.size(),
@@ -109,7 +109,7 @@ double largest(const std::vector<Table>& tables, Metric metric) {
 }
 
 Verdict of_simulate(const ReportData& data) {
-  if (data.tables.empty()) return {"The figures of this run could not be read.", {}};
+  if (data.tables.empty()) return {"The numbers of this run could not be read.", {}};
   const auto failed = failures(data.tables, 0);
   const auto broken = violations(data.tables, limits_of_arm(), 0);
   const double position = largest(data.tables, Metric::kPositionMax);
@@ -178,7 +178,7 @@ bool beats(const FrontPoint& point, const FrontPoint& start, const Front& front)
 
 Verdict of_pareto(const ReportData& data) {
   Verdict verdict;
-  if (!data.front) return {"The front of this run could not be read.", {}};
+  if (!data.front) return {"The trade-off front of this run could not be read.", {}};
   const auto is_point = [](const FrontPoint& p) { return p.role != "start"; };
   const auto points = std::count_if(data.front->points.begin(), data.front->points.end(), is_point);
   const auto start = std::find_if_not(data.front->points.begin(), data.front->points.end(), is_point);
@@ -204,7 +204,8 @@ Verdict of_pareto(const ReportData& data) {
                           [&](const FrontPoint& p) { return is_point(p) && beats(p, *start, *data.front); });
   verdict.sentence =
       joined({points == 0 ? "no feasible point was found"
-                          : fmt::format("the front has {} points (dominating the start: {}) and spans {}",
+                          : fmt::format("the trade-off front has {} points (dominating the start: {}) and "
+                                        "spans {}",
                                         points, better, fmt::join(ranges, ", ")),
               data.front->hypervolume ? fmt::format("hypervolume {:.3f}", *data.front->hypervolume) : "",
               last > 0 ? closest_joint(data.tables, last) : ""});

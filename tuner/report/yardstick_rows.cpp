@@ -56,7 +56,7 @@ std::string limit_words(const YardstickRow& row) {
   if (std::isnan(row.limit)) {
     return row.status == kept_words::kInfeasible
                ? "; no motion within the limits achieves this" + by
-               : fmt::format("; the best possible is unknown: {}", row.status);
+               : fmt::format("; the best possible value is unknown: {}", row.status);
   }
   return fmt::format("; the joint limits allow {}{}{}", figure(row.limit, row.unit),
                      row.status == kept_words::kSolved ? "" : ", " + row.status, by);

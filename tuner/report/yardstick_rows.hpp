@@ -1,6 +1,7 @@
 #pragma once
-// Reads yardstick.csv for the report page. Each row is an event, which is a part of a rollout. The row
-// compares its result with the best result that the arm's limits allow.
+// Reads yardstick.csv for the report page. Each row is about one event, that is, a part of a rollout such as
+// a switch of the target. The row compares the result of the rollout in this part with the best result that
+// the arm's limits allow.
 
 #include <optional>
 #include <string>
@@ -26,18 +27,20 @@ struct YardstickRow {
     f("time", row.time, "Time at which it begins, s.");
     f("reached", row.reached, "Result of the rollout in `unit`; null if the goal was not reached.", kOrNull);
     f("limit", row.limit, "Best possible result in `unit`; null if none was found.", kOrNull);
-    f("ratio", row.ratio, "reached / limit; null if there is none.", kOrNull)("unit", row.unit, {"s", "rad"});
+    f("ratio", row.ratio, "`reached` divided by `limit`; null if that is impossible.", kOrNull)(
+        "unit", row.unit, {"s", "rad"});
     f("held_back_by", row.held_back_by, "The limit of the arm that restricts the plan most.");
     f("words", row.words,
       "Such as \"reacquired in 1.48 s; the joint limits allow 1.21 s (velocity of elbow_joint)\".");
   }
 };
 
-/// Reads yardstick.csv of each set; empty where there is no file. Throws InputError naming file and column.
+/// Returns the rows of all gain sets. sets: the table yardstick.csv of each set, empty if there is no file.
+/// Throws InputError naming file and column.
 std::vector<YardstickRow> yardstick_of(const std::vector<std::optional<CsvTable>>& sets);
 
-/// Returns a sentence that compares a set with the best possible at its worst switch, return and lap, or an
-/// empty text if there is no ratio.
+/// Returns a sentence about one gain set. For each kind of event (switch, return, lap) it compares the worst
+/// event with the best possible result. The text is empty if no event has a ratio.
 std::string yardstick_sentence(const std::vector<YardstickRow>& rows, std::size_t set);
 
 }  // namespace armtune::internal::report

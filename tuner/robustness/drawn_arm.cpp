@@ -107,8 +107,8 @@ std::vector<std::pair<std::string, std::string>> drawn_arm_files(const Scenario&
       {"arm.yaml",
        robot_yaml(arm, "arm.urdf",
                   fmt::format("The arm that was simulated in {}, with its payload and friction{}", drawn.name,
-                              drawn.clearance ? ". The 'cell' around it is not included; add one to the "
-                                                "robot or scenario to check contacts"
+                              drawn.clearance ? ". The 'cell' around the arm is not included; add a cell to "
+                                                "the robot or the scenario to check contacts"
                                               : ""))}};
 }
 

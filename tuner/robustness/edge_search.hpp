@@ -7,27 +7,27 @@
 
 namespace armtune::internal {
 
-/// The start, the strides and the end of a search.
+/// The start, the steps and the end of a search.
 struct EdgeSearch {
   double nominal = 1.0;     ///< value for which the condition is known to hold; >= 0
-  double first = 0.0;       ///< tried first if nominal is zero
-  double stride = 2.0;      ///< factor from one value tried to the next: above 1 upwards, below 1 downwards
-  double last = 1e3;        ///< nothing beyond it is tried
-  bool whole = false;       ///< whole numbers only, upwards
-  double tolerance = 0.02;  ///< relative distance at which two numbers that are not whole are neighbours
+  double first = 0.0;       ///< value that is tried first if nominal is zero
+  double stride = 2.0;      ///< factor between values tried in sequence; above 1: upwards, below 1: downwards
+  double last = 1e3;        ///< last value that is tried
+  bool whole = false;       ///< true: tries only whole numbers, upwards
+  double tolerance = 0.02;  ///< relative distance of the two values of Edge; not used if `whole`
 };
 
-/// The two neighbouring values between which the condition changes.
+/// The result of a search: two values close to each other, between which the condition changes.
 struct Edge {
-  double holds = 0.0;
-  std::optional<double> fails;  ///< none: everything up to EdgeSearch::last holds
+  double holds = 0.0;           ///< last value for which the condition holds
+  std::optional<double> fails;  ///< value for which it fails; none: it holds up to EdgeSearch::last
 };
 
-/// Tries values in growing distance from nominal until `holds(value)` returns false. Then bisects between the
-/// last two values, to adjacent whole numbers or to the tolerance. Values beyond this first failure are never
-/// tried. Numbers that are not whole are tried with four significant digits, so that the printed value
-/// is the one tried. If `first` fails already, the search goes down to a thousandth of it and then returns
-/// zero.
+/// Tries values at growing distance from `nominal` until `holds(value)` returns false. Then bisects between
+/// the last two values, until they are adjacent whole numbers or within the tolerance. Values beyond the
+/// first failure are never tried. Numbers that need not be whole are rounded to four significant digits
+/// before they are tried, so that the printed value is the value tried. If `nominal` is zero, values below a
+/// thousandth of `first` are not tried. If all values down to there fail, Edge::holds is zero.
 Edge find_edge(const EdgeSearch& search, const std::function<bool(double)>& holds);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Bounds on metrics that a gain set must keep on every arm.
+// Limits of metrics. Checks on random arms and checks of stability margins test whether gains keep them.
 
 #include <string>
 #include <vector>
@@ -10,36 +10,39 @@ namespace armtune::internal {
 
 struct MetricLimit {
   Metric metric = Metric::kJointVelocityMaxRatio;
-  bool upper = true;  ///< true: at most `value`; false: at least
+  bool upper = true;  ///< true: the metric must be at most `value`; false: at least `value`
   double value = 1.0;
 };
 
-/// Largest share of a scenario's control periods that may have a saturated joint. An unstable loop chatters
-/// from torque bound to torque bound long before it diverges or tracks much worse.
+/// Largest allowed share of control periods in which the torque of a joint saturates. The torque of an
+/// unstable loop chatters between its limits long before the loop diverges or its tracking error becomes much
+/// larger.
 inline constexpr double kSaturatedShare = 0.01;
-/// Returns this share as a number of the scenario's periods.
+/// Returns the largest allowed number of such control periods in the scenario.
 inline long saturated_periods_allowed(const Scenario& scenario) {
   return static_cast<long>(kSaturatedShare * scenario.periods());
 }
 /// Returns "torque saturated in over 1 % of the periods".
 std::string saturation_text();
 
-/// Returns the arm's own limits: joint velocities and positions inside their limits, and no contact with an
-/// obstacle, another link, the cell or the floor.
+/// Returns the arm's own limits: joint velocities and positions inside their limits, and no contact of the
+/// arm with an obstacle, with itself, with the cell or with the floor.
 std::vector<MetricLimit> arm_limits();
 
-/// Reads a limit such as "joint_velocity/max_ratio<=0.9" or one with ">=". Throws InputError.
+/// Returns the limit that a text such as "joint_velocity/max_ratio<=0.9" describes. The relation is "<=" or
+/// ">=". Throws InputError for any other text.
 MetricLimit parse_limit(const std::string& text);
 
-/// Reads the limits given as texts; without any, returns the arm's own. Throws InputError.
+/// Returns the limits that the texts describe, or arm_limits() if there are no texts. Throws InputError.
 std::vector<MetricLimit> parse_limits(const std::vector<std::string>& texts);
 
 /// Returns a text such as "joint_velocity/max_ratio <= 0.9".
 std::string to_string(const MetricLimit& limit);
 
-/// Returns the first limit that a result breaks, or that its torque saturates in too many periods. For a
-/// result that did not complete it is its status. The text is empty if all is kept. A metric without a value
-/// breaks its limit if it applies to the scenario, and none otherwise.
+/// Returns why a rollout fails, as a text. If it did not complete, the text is its status. Otherwise the text
+/// is the first limit that it breaks, or saturation_text() if torques saturate in too many periods. The text
+/// is empty if the rollout does not fail. A metric without a value breaks its limit if the metric applies to
+/// the scenario. If it does not apply, its limit is ignored.
 std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
                          const Scenario& scenario);
 

@@ -50,8 +50,8 @@ const std::array<MarginField, kMarginCount>& margin_fields() {
       {"control_rate", "Hz", "lowest control rate; the torque delay keeps its number of control periods",
        rate, set_rate, EdgeSearch{.stride = 0.8, .last = 10.0}},
       {"velocity_noise", "rad/s",
-       "largest standard deviation of the velocity noise; the position noise is scaled by the same factor, "
-       "or is 0.01 rad per rad/s if the scenario has no velocity noise",
+       "largest standard deviation of the velocity noise; the position noise is scaled by the same factor. "
+       "If the scenario has no velocity noise, the position noise is 0.01 rad for each rad/s",
        velocity_noise, set_noise, EdgeSearch{.first = 0.01, .stride = 1.5, .last = 10.0}},
   }};
   return fields;

@@ -1,6 +1,7 @@
 #pragma once
-// Declares the stability margins: which quantity of the control loop is changed, from which value, in which
-// direction and how far. The quantities are torque delay, gains, control rate and velocity noise.
+// Declares the stability margins. Each margin changes one quantity of the control loop: additional torque
+// delay, a factor on the gains, the control rate, or the velocity noise. The declaration gives the nominal
+// value of the quantity, the direction in which it is changed, and the last value that is tried.
 
 #include <array>
 #include <cstddef>
@@ -19,11 +20,12 @@ struct MarginField {
   const char* name;
   const char* unit;
   const char* meaning;
-  /// Returns the scenario's own value of the quantity.
+  /// Returns the nominal value of the quantity, which leaves the scenario as it is.
   double (*nominal)(const Scenario& scenario);
-  /// Gives scenario and gains another value. The nominal value leaves them unchanged.
+  /// Changes the scenario or the gains so that the quantity has this value. Nothing changes for the nominal
+  /// value. Call it only once for a scenario.
   void (*apply)(double value, Scenario& scenario, Gains& gains);
-  EdgeSearch search;  ///< nominal is set for each scenario
+  EdgeSearch search;  ///< its member `nominal` is set for each scenario
 };
 
 /// Returns the margins in the order of the enumeration, which is also that of margins.csv.

@@ -8,13 +8,14 @@
 
 namespace armtune::internal {
 
-/// Returns the text of margins.csv: margin,unit,scenario,nominal,stands,fails,reason. There is one row per
-/// margin and scenario. If the margin of every scenario is there, a row `all` has the least of them. `stands`
-/// is the last value that the loop tolerates, or empty if the loop fails at the nominal value already.
-/// `fails` is the next value tried, or empty if nothing failed. Numbers read back to the same bits.
+/// Returns the text of margins.csv with the columns margin,unit,scenario,nominal,stands,fails,reason. There
+/// is one row per margin and scenario. If a margin is known in every scenario, a row with the scenario `all`
+/// gives the smallest one. `stands` is the last value that the loop tolerates; it is empty if the loop fails
+/// at the nominal value already. `fails` is the value, next to it, at which the loop fails; it is empty if no
+/// value failed. Numbers read back bit-identical.
 std::string margins_csv(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins);
 
-/// Returns a table of the margins of one gain set, one line per scenario.
+/// Returns a table of the margins of one gain set, with one line per scenario.
 std::string margins_by_scenario(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins);
 
 struct ComparedMargins {
@@ -22,8 +23,9 @@ struct ComparedMargins {
   std::vector<Margin> margins;
 };
 
-/// Returns a table with the least margins of gain sets side by side. Lines below it give the value at which
-/// the loop first fails, with cause and scenario.
+/// Returns a table with one column per gain set and one row per margin. A cell gives the smallest margin over
+/// the scenarios. Lines below the table give the value at which the loop first fails, the scenario and the
+/// cause.
 std::string margins_table(const std::vector<Scenario>& scenarios, const std::vector<ComparedMargins>& sets);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Simulates gains on many arms that differ at random from the arm they were made for.
+// Simulates a gain set on many random arms. Each of them differs at random from the arm of the scenarios.
 
 #include <atomic>
 #include <functional>
@@ -16,8 +16,9 @@ namespace armtune::internal {
 struct MonteCarloSample {
   std::uint64_t number = 0;
   std::vector<RolloutResult> results;  ///< one per scenario
-  std::vector<std::string> broken;     ///< one per scenario, empty if every limit is kept
+  std::vector<std::string> broken;     ///< result of broken_limit() (limits.hpp), one per scenario
 
+  /// True if the arm keeps every limit in every scenario.
   bool keeps_all() const;
 };
 
@@ -29,47 +30,50 @@ struct MonteCarloOptions {
   std::vector<MetricLimit> limits = arm_limits();
   Stepper stepper = Stepper::kMidpoint;
   int workers = 1;
-  /// Engine that simulates the arms. An arm that breaks a limit in another engine than Simbody is simulated
-  /// again in Simbody.
+  /// Engine that simulates the arms. If it is not Simbody, and an arm breaks a limit in a scenario, Simbody
+  /// simulates this arm again in this scenario. The result of Simbody then counts.
   Engine engine = Engine::kSimbody;
-  std::function<void(std::size_t done, std::size_t all)> progress;  ///< rollouts; one call at a time
-  /// Returns the results per scenario of a sample that an earlier session finished, or none; may be empty.
+  /// Called with numbers of rollouts. One call at a time. May be empty, as the next three functions.
+  std::function<void(std::size_t done, std::size_t all)> progress;
+  /// Returns the results of a sample that an earlier session finished, one per scenario, or nothing.
   std::function<std::optional<std::vector<RolloutResult>>(std::uint64_t number)> known;
-  /// Called with each sample that was not known, as soon as all its scenarios are simulated, in any order.
-  /// One call at a time.
+  /// Called with each sample for which `known` returned nothing, as soon as all its scenarios are simulated.
+  /// The samples come in any order. One call at a time.
   std::function<void(const MonteCarloSample&)> whole;
-  /// Called with each complete sample in the order of their numbers, as soon as all before it are complete
-  /// too. One call at a time.
+  /// Called with every complete sample, in the order of the sample numbers. A sample waits until all samples
+  /// before it are complete. One call at a time.
   std::function<void(const MonteCarloSample&)> finished;
 };
 
-/// Returns the plan for the workers of these options. Throws InputError if the perturbation is not valid.
+/// Returns the plan that workers need for these options. Throws InputError if the perturbation is not valid.
 RolloutPlan monte_carlo_plan(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options);
 
-/// Returns the samples in the order of their numbers. Samples that were not done when `stop` became true are
-/// missing. A sample depends on scenarios, gains, perturbation, seed and its number alone.
+/// Simulates the gains on all samples. Returns the samples in the order of their numbers. Samples that were
+/// not done when `stop` became true are missing. With the same stepper and engine, a sample depends only on
+/// its number, the scenarios, the gains, the perturbation, the seed and the limits.
 std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
 /// Does the same with the workers of a pool that was made for monte_carlo_plan; options.workers is not used.
 std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
 
-/// Returns texts of samples.csv: its header, the rows of a sample, and the whole file. The columns are
-/// sample, scenario, status, broken limit, joint of the largest velocity ratio, every metric, and what was
-/// drawn (drawn_arm.hpp). Numbers read back to the same bits. options: those that the samples were drawn
-/// with.
+/// Return texts of samples.csv: its header line, the rows of one sample, and the whole file. The columns are
+/// the sample, the scenario, the status, the broken limit, the joint with the largest velocity ratio, every
+/// metric, and the properties of the random arm (drawn_arm.hpp). Numbers read back bit-identical. options:
+/// must be the options with which the samples were simulated.
 std::string samples_header(const std::vector<Scenario>& scenarios);
 std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
                         const MonteCarloSample& sample);
 std::string samples_csv(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
                         const std::vector<MonteCarloSample>& samples);
 
-/// The spread of a metric over the samples that completed a scenario. The worst value is the largest, or the
-/// smallest for a metric that should be large.
+/// The spread of a metric over the samples that completed a scenario. Worse values are larger, or smaller for
+/// a metric that should be large. p95 and p99 are the values that 95 % and 99 % of the samples do not exceed
+/// in the direction of worse values.
 struct MetricSpread {
   Metric metric = Metric::kPositionMax;
-  std::size_t count = 0;      ///< samples with a value
-  std::size_t not_given = 0;  ///< samples without, or that did not complete: worse than the worst here
+  std::size_t count = 0;      ///< number of samples with a value
+  std::size_t not_given = 0;  ///< number of other samples: not completed, or without a value
   double median = 0.0, p95 = 0.0, p99 = 0.0, worst = 0.0;
   std::uint64_t worst_sample = 0;
 };

@@ -13,14 +13,17 @@ struct ComparedSet {
   std::vector<ScenarioResult> results;  ///< the same scenarios in the same order in every set
 };
 
-/// Returns a text table: per scenario one row per metric and one column per set, with ratios to the first set
-/// beside the others.
+/// Returns a table for terminals. It has a block for each scenario, with one row per metric and one column
+/// per gain set. For every set after the first, a further column gives the ratio of its value to that of the
+/// first set.
 std::string comparison_table(const std::vector<ComparedSet>& sets, const std::vector<Metric>& metrics);
 
-/// Returns a long CSV: scenario,metric,unit,SET,...,SET/ratio,...
+/// Returns the text of comparison.csv, with one row per scenario and metric. The columns are
+/// scenario,metric,unit, then SET for each gain set, then SET/ratio for each set but the first. The slash is
+/// part of the column's name.
 std::string comparison_csv(const std::vector<ComparedSet>& sets);
 
-/// Returns the headline metrics, which a reader looks at first.
+/// Returns the headline metrics. These are the most important metrics, which tables show first.
 const std::vector<Metric>& headline_metrics();
 
 }  // namespace armtune::internal

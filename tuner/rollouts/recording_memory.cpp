@@ -84,7 +84,7 @@ void require_recording_memory(const std::vector<Scenario>& scenarios, int stride
           : std::string();
   throw InputError(fmt::format(
       "{}: the recording of {} takes {:.3g} GB ({:.3g} s, {:.3g} rows){}, but this process may use only "
-      "{:.3g} GB. Shorten 'duration'{}, or record only every {:.0f}th control period (--record-every if the "
+      "{:.3g} GB. Shorten 'duration'{}, or record only one in {:.0f} control periods (--record-every if the "
       "command has it, record_every in Python)",
       scenario.source, scenario.name, largest / kGigabyte, scenario.duration, rows(scenario, stride), others,
       usable / kGigabyte, bytes.size() > 1 && use == RecordingUse::kWritten ? ", use fewer workers" : "",

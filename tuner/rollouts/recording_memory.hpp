@@ -1,6 +1,6 @@
 #pragma once
-// Computes how much memory the recordings of rollouts need, from duration, control period and columns. If
-// they do not fit, armtune refuses to record them before it simulates anything.
+// Computes how much memory the recordings of rollouts need. If they do not fit in memory, armtune reports an
+// error before it simulates anything.
 
 #include <vector>
 
@@ -8,22 +8,23 @@
 
 namespace armtune::internal {
 
-/// The purpose of recordings, which determines how many are in memory at once.
+/// The use of recordings. It determines how many recordings are in memory at the same time.
 enum class RecordingUse {
-  kWritten,  ///< each becomes a CSV file and is released; as many are in memory as there are workers
-  kKept      ///< all of them stay in memory
+  kWritten,  ///< each is written to a CSV file and then released; at most one per worker is in memory
+  kKept      ///< all recordings stay in memory
 };
 
-/// Returns the bytes of memory that one scenario's recording takes. For kWritten this includes the making of
-/// its CSV file. stride: control periods per row (>= 1).
+/// Returns the number of bytes that one scenario's recording takes in memory. It follows from the duration,
+/// the control period and the number of columns. For kWritten it includes the memory that is needed to write
+/// the CSV file. stride: control periods per row (>= 1).
 double recording_bytes(const Scenario& scenario, int stride, RecordingUse use);
 
-/// Returns the bytes of memory that this process may use: the machine's memory, or less where the shell
-/// (ulimit -v), a container or a batch system sets a limit.
+/// Returns the number of bytes of memory that this process may use. This is the machine's memory, or less if
+/// the shell (ulimit -v), a container or a batch system sets a limit.
 double usable_memory();
 
-/// Throws InputError if the recordings that are in memory at once take more than `usable` bytes. It names the
-/// scenario with the longest recording, its size, and the stride with which they fit.
+/// Throws InputError if the recordings that are in memory at the same time take more than `usable` bytes. The
+/// message gives the largest recording with its scenario and size, and a stride with which all would fit.
 void require_recording_memory(const std::vector<Scenario>& scenarios, int stride, int workers,
                               RecordingUse use = RecordingUse::kWritten, double usable = usable_memory());
 

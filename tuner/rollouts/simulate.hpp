@@ -16,20 +16,20 @@ struct SimulateOptions {
   Stepper stepper = Stepper::kMidpoint;
   Engine engine = Engine::kSimbody;
   int workers = 1;
-  std::string folder;     ///< folder for rollout_<scenario>.csv; empty: none is written
-  int record_stride = 5;  ///< control periods per row
-  /// Receives a scenario's recording instead of a file. It is called from any thread, one call at a time.
-  /// completed: for Recorder::rows.
+  std::string folder;     ///< folder for the files rollout_<scenario>.csv; empty: no files are written
+  int record_stride = 5;  ///< control periods per row of a recording
+  /// If set, receives each recording, and no files are written. It is called from any thread, one call at a
+  /// time. completed: to be passed to Recorder::rows.
   std::function<void(std::size_t scenario, Recorder recorder, bool completed)> recorded;
   /// Deadline of one scenario, wall clock [s]; 0: derived from its duration (deadline_of). By default there
-  /// is none, so that a rollout that a search completed is completed here too.
+  /// is no deadline. A rollout that was completed in a search is thus completed here too.
   double deadline = std::numeric_limits<double>::infinity();
-  std::function<void(std::size_t done)> progress;  ///< one call at a time
+  std::function<void(std::size_t done)> progress;  ///< number of scenarios done; one call at a time
 };
 
-/// Returns the results in the order of the scenarios. gains_of(scenario): its gains. Scenarios that did not
-/// end before `stop` or their deadline have the status interrupted. Throws InputError if two scenarios share
-/// a name, or if their recordings do not fit in memory (recording_memory.hpp).
+/// Returns the results in the order of the scenarios. gains_of: returns the gains for a scenario. A scenario
+/// that was stopped by `stop`, or by its deadline, has the status interrupted. Throws InputError if two
+/// scenarios have the same name, or if the recordings do not fit in memory (recording_memory.hpp).
 std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
                                      const std::function<Gains(const Scenario&)>& gains_of,
                                      const SimulateOptions& options, const std::atomic<bool>& stop);

@@ -1,6 +1,6 @@
 #pragma once
-// A file that grows line by line. Each line is handed to the system before the work continues, so that
-// finished results are not lost.
+// A file to which lines are appended during a run. Each line is passed to the operating system at once, so
+// that finished results are not lost if the run ends early.
 
 #include <string>
 
@@ -9,26 +9,27 @@ namespace armtune::internal {
 class AppendFile {
  public:
   enum class Open {
-    kNew,      ///< refuses a file that exists; locks out other processes
-    kReplace,  ///< grows beside an older file of that name until `publish` replaces it
-    kContinue  ///< appends to a file that exists; refuses if another process writes it
+    kNew,      ///< makes and locks a new file; throws if the file exists
+    kReplace,  ///< writes a new file beside an older one of the same name, until `publish` replaces it
+    kContinue  ///< locks and appends to a file that exists; throws if another process has locked it
   };
 
-  /// patience: how long to wait for a process that has the file locked [s]. Throws InputError with path and
-  /// reason.
+  /// Opens the file. patience: longest wait for a process that has locked the file [s]. Throws InputError
+  /// with path and reason.
   explicit AppendFile(const std::string& path, Open open = Open::kNew, double patience = 0.0);
   ~AppendFile();
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
 
-  /// Appends the text. It survives the end of this process, and with `sync` also a power cut. Throws
-  /// FailedError if the disk refuses it, or if the file was deleted.
+  /// Appends the text. It is not lost if this process is killed, and with `sync` not even after a power cut.
+  /// Throws FailedError if the text cannot be written, or if the file was deleted.
   void append(const std::string& text, bool sync = true);
-  /// Cuts the file to this size [bytes]. Throws FailedError if it cannot.
+  /// Cuts the file to this size [bytes]. Throws FailedError if that fails.
   void truncate(long size);
   /// Replaces the older file, for kReplace. Further calls do nothing.
   void publish();
-  /// Makes what was appended survive a power cut. Throws FailedError if it cannot.
+  /// Writes all appended text to the disk, so that it is not lost after a power cut. Throws FailedError if
+  /// that fails.
   void sync();
 
  private:

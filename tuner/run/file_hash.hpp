@@ -1,6 +1,7 @@
 #pragma once
-// The hash FNV-1a with 64 bits (Fowler, Noll, Vo). It detects different contents but does not protect against
-// attacks. One changed byte always changes it, because multiplying by an odd number loses nothing.
+// The hash FNV-1a with 64 bits (Fowler, Noll, Vo). It detects that contents differ, but does not protect
+// against attacks. If one byte changes, the hash always changes, because the multiplication by an odd number
+// modulo 2^64 is invertible.
 
 #include <cstdint>
 #include <string>
@@ -26,10 +27,11 @@ class Fnv1a {
   std::uint64_t hash_ = 14695981039346656037ULL;
 };
 
-/// Returns the hash of a file's bytes, or of no bytes if it cannot be read.
+/// Returns the hash of a file's bytes. If the file cannot be read, returns the hash of an empty file.
 std::string hash_of_file(const std::string& path);
 
-/// Returns the hash of an input file as it was read (see InputRecord), or as it is now if that was not kept.
+/// Returns the hash of the contents that were read from an input file, if they are kept in memory (see
+/// InputRecord). Otherwise returns the hash of the file's present contents.
 std::string hash_of_input(const std::string& path);
 
 }  // namespace armtune::internal

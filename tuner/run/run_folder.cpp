@@ -54,7 +54,7 @@ void refuse_unusable_path(const std::string& folder) {
   // Below it stand "rollouts_<label>/rollout_<scenario>.csv.partial" and shorter ones.
   constexpr std::size_t kBelow = 2 * kLongestName + 40;
   if (folder.size() + kBelow > PATH_MAX) {
-    throw InputError(fmt::format("{}: the path has {} bytes; give one of at most {} bytes", folder,
+    throw InputError(fmt::format("{}: the path has {} bytes; choose a path of at most {} bytes", folder,
                                  folder.size(), PATH_MAX - kBelow));
   }
   if (!is_printable(folder)) {

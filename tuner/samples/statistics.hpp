@@ -7,14 +7,14 @@
 
 namespace armtune::internal {
 
-/// Returns the value below which a share p in [0, 1] of the values lies, interpolated between neighbours
-/// (Hyndman and Fan, Sample quantiles in statistical packages, 1996, definition 7). sorted: ascending, at
-/// least one.
+/// Returns the p-quantile, that is, the value below which a share p of the values lies. It is interpolated
+/// between two neighbouring values (Hyndman and Fan, Sample quantiles in statistical packages, 1996,
+/// definition 7). sorted: the values in ascending order, at least one; p: in [0, 1].
 double quantile(std::span<const double> sorted, double p);
 
-/// Returns the mean of the worst (largest) share 1 - p of the values, p in [0, 1): the conditional value at
-/// risk. The value at the edge counts with the part of it that belongs to the share. sorted: ascending, at
-/// least one.
+/// Returns the conditional value at risk. For n values, this is the mean of the (1 - p) n largest ones. If
+/// (1 - p) n is not a whole number, the smallest of them is weighted with its fractional part. sorted: the
+/// values in ascending order, at least one; p: in [0, 1).
 double conditional_value_at_risk(std::span<const double> sorted, double p);
 
 /// Returns the 95 % confidence interval of a probability after `successes` in `trials` (>= 1) (Wilson, 1927).

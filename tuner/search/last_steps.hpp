@@ -12,12 +12,13 @@
 
 namespace armtune::internal {
 
-/// Initial step of this short search, as a fraction of the range between the bounds.
+/// Initial step of the short search in Simbody, as a fraction of the range between the bounds.
 constexpr double kLastStep = 0.02;
 
-/// Returns the points found in the other engine that Simbody has to simulate: the best ones, the best inside
-/// the bounds of the search (Seen::best_inside) and the best of the sweep. Points that Simbody has evaluated
-/// already are left out.
+/// Returns the points found in armtune's own dynamics that Simbody has to simulate: the best ones, the best
+/// inside the bounds of the search (Seen::best_inside) and the best of the sweep. Points that Simbody has
+/// already evaluated are left out. searched, judged: the evaluations in armtune's own dynamics and in
+/// Simbody.
 std::vector<Candidate> to_judge(const Seen& searched, const std::optional<Evaluation>& best_of_sweep,
                                 const Seen& judged);
 
@@ -29,13 +30,13 @@ long kept_evaluations(const Study& study);
 /// suffice for the start gains in both engines and the last steps.
 Engine engine_of_search(const Study& study);
 
-/// Returns the number of the study's evaluations that sweep and search may use. Those of the start gains and
-/// of the last steps are not among them.
+/// Returns the number of the study's evaluations that sweep and search may use. The evaluations of the start
+/// gains and of the last steps do not count.
 long evaluations_to_search(const Study& study);
 
 /// Returns the part of the study's max_minutes that is reserved for the last steps [s]. It is verify_share of
 /// max_minutes, but at least the time to simulate all points that to_judge may return, and at most the time
-/// of all kept_evaluations. one: time that Simbody takes to simulate one point [s].
+/// to simulate kept_evaluations(study) points. one: time that Simbody takes to simulate one point [s].
 double kept_seconds(const Study& study, double one);
 
 }  // namespace armtune::internal

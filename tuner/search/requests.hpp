@@ -1,6 +1,6 @@
 #pragma once
 // Passes points between the simulation and several searches that run at once, in lock step. The points that
-// the searches request become candidates to simulate. The values found are handed back to each search.
+// the searches request become candidates to simulate. Each search then receives the values of its points.
 
 #include <functional>
 #include <optional>
@@ -12,15 +12,16 @@
 namespace armtune::internal {
 
 /// Returns the requested points that are not known, each once, in the order of the requests. Points for
-/// finite differences have the phase "gradient". known: true if a point was simulated before. allowed: called
-/// before each candidate; true if its search may have one more evaluation. If not, the rest of that request
-/// is left out.
+/// finite differences have the phase "gradient", all others have `phase`. known: true if a point was
+/// simulated before. allowed: called before each candidate; true if the search with this index may have one
+/// more evaluation. If not, the remaining points of its request are left out.
 std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const char* phase,
                                      const std::function<bool(const SolverPoint&)>& known,
                                      const std::function<bool(std::size_t search)>& allowed);
 
-/// Gives each request the values of its points, up to the first point without a value. value: returns the
-/// value of a point as its search is to see it, or none if the point was not simulated.
+/// Gives each request the values of its points, up to the first point without a value. go_on: false ends the
+/// searches. value: returns the value of a point for the search with this index, or none if the point was not
+/// simulated.
 void answer(std::vector<Request>& requests, bool go_on,
             const std::function<std::optional<SolverValue>(std::size_t search, const SolverPoint&)>& value);
 

@@ -24,7 +24,8 @@ class Seen {
   std::optional<Objective> objective;
   std::optional<Evaluation> start;
 
-  /// Adds an evaluation whose objective and constraints are computed. box: see best_inside().
+  /// Adds an evaluation whose objective and constraints are computed. box: the bounds of the search, for
+  /// best_inside().
   void take(const Evaluation& e, const WarmPoint& box);
 
   /// Returns the value at a point simulated before; null if it was not.

@@ -1,6 +1,6 @@
 #pragma once
-// Lists the points of a study's coarse sweep, a small grid around the start gains as a person would try by
-// hand. Each axis of the grid multiplies some gains by a few factors.
+// Lists the points of a study's coarse sweep: a small grid around the start gains, like the values that a
+// person would try by hand. Each axis of the grid multiplies some gains by a few factors.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// Returns the search coordinates of every combination of the axes' factors, the first axis fastest; none
-/// without axes.
+/// Returns the search coordinates of every combination of the axes' factors. The factor of the first axis
+/// changes fastest. Returns no points if the study has no axes.
 std::vector<std::vector<double>> sweep_points(const Study& study);
 
 }  // namespace armtune::internal

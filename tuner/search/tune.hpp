@@ -27,8 +27,8 @@ struct TuneCallbacks {
   std::function<void(const Objective&)> begin;
   /// Called for every evaluation, in order, also for those recalled from a journal. One call at a time, from
   /// any thread. `phase` is one of these: start; sweep; warm (the point where a warm start begins); global;
-  /// search; gradient (points from which a search forms derivatives); verify (Simbody after another engine,
-  /// or a point on the way back from a result that has a fault).
+  /// search; gradient (points from which a search forms derivatives); verify (the last evaluations in Simbody
+  /// after a search in another engine, or a point between start and best gains if the best have a fault).
   std::function<void(const char* phase, const Evaluation&)> evaluated;
   std::function<void(const TuneProgress&)> progress;  ///< called like `evaluated`
   /// Checks gains in ways that take too long for every evaluation, and returns the fault that it finds, or an
@@ -43,15 +43,16 @@ inline constexpr std::array kSharesOfTheWay = {0.5, 0.25, 0.1};
 struct TuneResult {
   Evaluation start;
   std::optional<Evaluation> best_of_sweep;  ///< as simulated by Simbody
-  /// The best evaluation; feasible if any feasible point was seen. It is Simbody's, unless the run was
-  /// interrupted while it searched in another engine: see its `engine`. If it has a fault (TuneCallbacks), up
-  /// to three points on the way back to the start are tried. The first that has no fault, is feasible and is
-  /// better than the start takes its place. Without such a point it remains the best.
+  /// The best evaluation; feasible if any feasible point was seen. It was simulated in Simbody, unless the
+  /// run was interrupted while it searched in another engine; its `engine` shows which. If it has a fault
+  /// (TuneCallbacks::fault), points between the start gains and the best gains are tried (kSharesOfTheWay).
+  /// The first of them that has no fault, is feasible and is better than the start takes its place. Without
+  /// such a point, it remains the best in spite of its fault.
   Evaluation best;
   long evaluations = 0;
   bool interrupted = false;
   std::string reason;       ///< why the search ended
-  std::string passed_over;  ///< if `best` is a point on the way back: what it replaces, and why
+  std::string passed_over;  ///< if `best` lies between start and best gains: what it replaces, why
 };
 
 /// Runs the search of the study. The result depends on the study alone, unless max_minutes is set. `stop`:
@@ -61,8 +62,8 @@ struct TuneResult {
 TuneResult tune(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
                 const TuneCallbacks& callbacks, Journal* journal = nullptr);
 
-/// Returns the largest |q'|/limit over an evaluation's scenarios, without the rollouts that check stability
-/// margins.
+/// Returns the largest ratio of a joint's |q'| to its limit over an evaluation's scenarios. The rollouts that
+/// check stability margins are left out.
 double largest_velocity_ratio(const Study& study, const Evaluation& e);
 
 }  // namespace armtune::internal

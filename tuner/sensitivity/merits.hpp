@@ -1,7 +1,7 @@
 #pragma once
 // Computes the merit (objective + penalty * violation) of the best gains and of gains near them. The
-// sensitivities of the gains follow from these merits. If another simulation engine than Simbody computes
-// them, Simbody confirms the most important ones.
+// sensitivities of the gains follow from these merits. If another simulation engine than Simbody computes the
+// merits, Simbody checks the most important ones.
 
 #include <atomic>
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace armtune::internal {
 
-/// The indices of the three points of one parameter in the list of all points, which begins with the best
-/// point. They are the best point with this parameter a step lower, a step higher, and at its start value.
+/// The indices of three points in a list of points. Point 0 of the list is the best point. The three points
+/// differ from it in one parameter only: it is a step lower, a step higher, or at its start value.
 struct PointsOf {
   std::size_t below, above, reset;
 };
@@ -26,18 +26,20 @@ class Merits {
  public:
   using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
-  /// All arguments must outlive this object. progress: counts the evaluations requested so far; may be empty.
+  /// All arguments must outlive this object. progress: receives the number of evaluations that are done and
+  /// of those requested so far; may be empty.
   Merits(const Study& study, const Objective& objective, CandidateRunner& workers,
          const std::atomic<bool>& stop, const Progress& progress)
       : study_(study), objective_(objective), workers_(workers), stop_(stop), progress_(progress) {}
 
-  /// Returns the merits of the points, in order. No value if `stop` became true before all were done.
+  /// Returns the merits of the points, in order, or nothing if `stop` became true before all were done.
   std::optional<std::vector<double>> of(const std::vector<std::vector<double>>& points, Engine engine);
 
-  /// Confirms in Simbody the merits that another engine computed. Simbody simulates the best point and, for
-  /// the `looked_at` most important parameters, the point with this parameter at its start value. Its merits
-  /// replace the given ones. If one of them differs, Simbody simulates all points. No value if `stop` became
-  /// true before all were done.
+  /// Checks `merits`, which another engine computed for `points`, and returns the checked merits. Simbody
+  /// simulates the best point again. For each of the `looked_at` most important parameters it also simulates
+  /// the point with that parameter at its start value. The merits from Simbody replace the given ones. If one
+  /// of them differs by more than rounding, Simbody simulates all points again. Returns nothing if `stop`
+  /// became true before all were done.
   std::optional<std::vector<double>> confirmed(const std::vector<std::vector<double>>& points,
                                                std::vector<double> merits, std::size_t looked_at);
 

@@ -139,8 +139,8 @@ std::vector<std::string> advice(const Study& study, const Sensitivity& sensitivi
     if (no_effect) {
       lines.push_back(
           fmt::format("{} has no effect: a step of {:.0f} % of its range changes the merit (objective plus "
-                      "penalties) by {:.2g} %, and a return to its start value changes it by {:.2g} %; fix "
-                      "it with '{{name: {}, fixed: {:.6g}}}'",
+                      "penalties) by {:.2g} %, and a return to its start value changes the merit by {:.2g} "
+                      "%; fix the gain with '{{name: {}, fixed: {:.6g}}}'",
                       name, 100.0 * kSensitivityStep, 100.0 * s.local,
                       100.0 * s.importance / sensitivity.merit, name, p.start));
     } else if (s.best <= p.lower * (1.0 + 1e-9)) {

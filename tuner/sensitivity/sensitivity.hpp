@@ -1,9 +1,11 @@
 #pragma once
-// Shows which gains matter. Each gain is rated by its effect near the best gains, by its rank correlation
-// over all evaluations of the search (the journal), and by its part in the improvement.
+// Computes which gains matter. Three numbers rate each gain: the effect of a small step from the best gains,
+// the rank correlation between gain and merit over all evaluations of the search, and the gain's part in the
+// improvement.
 //
-// The effect is measured on the merit: objective + penalty * violation, with the study's penalty. If the best
-// point lies at constraints, the objective alone would call every step across a constraint an improvement.
+// All three use the merit, that is, objective + penalty * violation with the penalty of the study. The best
+// gains often lie at the edge of a constraint. There the objective alone would often become better by a step
+// that violates the constraint.
 
 #include <atomic>
 #include <functional>
@@ -19,51 +21,55 @@ namespace armtune::internal {
 
 struct ParameterSensitivity {
   std::size_t parameter = 0;  ///< index into ParameterSpace::free
-  double best = 0.0;          ///< the gain's value
-  /// Largest relative change of the merit for a step of kSensitivityStep of the parameter's range either way.
+  double best = 0.0;          ///< value of the gain in the best gains
+  /// Relative change of the merit for a step kSensitivityStep of the parameter; the larger of the changes for
+  /// a step up and a step down.
   double local = 0.0;
-  /// Relative change of the merit per relative change of the gain, by central differences (one-sided at a
-  /// bound); NaN for a gain of zero.
+  /// Relative change of the merit divided by the relative change of the gain. It is computed by central
+  /// differences, or by one-sided ones at a bound. NaN if the gain is zero.
   double elasticity = 0.0;
-  /// Spearman's rank correlation of the parameter with the merit over the journal. NaN with fewer than three
-  /// rows or for a parameter that never changed.
+  /// Spearman's rank correlation between the parameter and the merit over the evaluations in the journal. NaN
+  /// if there are fewer than three evaluations, or if the parameter never changed.
   double rank_correlation = 0.0;
-  /// Increase of the merit if this gain alone is set back to its start: its part in the improvement.
+  /// Increase of the merit if this gain alone is set back to its start value. This is the gain's part in the
+  /// improvement.
   double importance = 0.0;
 };
 
+/// Length of a step in search coordinates, in which the range of each parameter is [0, 1].
 inline constexpr double kSensitivityStep = 0.02;
 
-/// Number of the most important gains that a run's summary shows.
+/// A run's summary shows this number of the most important gains.
 inline constexpr std::size_t kMostShown = 8;
 
-/// Number of the most important gains for which Simbody confirms the result of another engine.
+/// If another engine computes the sensitivities, Simbody checks this number of the most important gains.
 inline constexpr std::size_t kConfirmed = 3;
 
 struct Sensitivity {
-  double merit = 0.0;                            ///< merit of the best
+  double merit = 0.0;                            ///< merit of the best gains
   std::vector<ParameterSensitivity> parameters;  ///< the most important first
 };
 
-/// Simulates 3 points per parameter about `best`, in the engine that the study searches in. If that is not
-/// Simbody, Simbody confirms the best and the importance of the kConfirmed most important gains, and its
-/// figures replace the others. If it finds another merit, it simulates all points. No value if `stop` became
-/// true before the end. objective: of the study. progress(done, all): evaluations; all may still grow.
+/// Computes the sensitivities from simulations of `best` and of three points per parameter (merits.hpp). They
+/// are simulated in the engine in which the study searches. If this engine is not Simbody, Simbody checks the
+/// merit of `best` and the importance of the kConfirmed most important gains (Merits::confirmed). Returns
+/// nothing if `stop` became true before the end. objective: the objective of the study. progress: receives
+/// the number of evaluations that are done and of those requested so far, which may still increase.
 std::optional<Sensitivity> sensitivity(
     const Study& study, const Objective& objective, const Gains& best,
     const std::vector<EvaluationRow>& journal, CandidateRunner& workers, const std::atomic<bool>& stop,
     const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
-/// Returns Spearman's rank correlation of two series of one length, ties at their mean rank; NaN if it is not
-/// defined.
+/// Returns Spearman's rank correlation of two series of equal length. Equal values get the mean of their
+/// ranks. The result is NaN if there are fewer than three values, or if all values of a series are equal.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Returns the text of sensitivity.csv: one row per parameter, the most important first. Numbers read back to
-/// the same bits. A missing figure is an empty cell, and `status` says why it is missing.
+/// Returns the text of sensitivity.csv: one row per parameter, the most important first. Numbers read back
+/// bit-identical. If a number is missing, its cell is empty, and the column `status` gives the reason.
 std::string sensitivity_csv(const Study& study, const Sensitivity& sensitivity);
 
-/// Returns advice in plain words, one line each: gains that ended at a bound, gains without effect, and what
-/// to change.
+/// Returns lines of advice. A line names a gain that ended at a bound or has no effect, and the change of the
+/// study that follows.
 std::vector<std::string> advice(const Study& study, const Sensitivity& sensitivity);
 
 /// Returns the study with the less important half of its parameters fixed at their start values.

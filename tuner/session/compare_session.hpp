@@ -1,6 +1,6 @@
 #pragma once
 // The work of the command `armtune compare`. It simulates several gain sets in the same scenarios and
-// compares them. If it is interrupted before all sets were simulated, it leaves no result.
+// compares their metrics. If it is interrupted before all gain sets were simulated, there is no result.
 
 #include "tuner/report/scene.hpp"
 #include "tuner/rollouts/comparison.hpp"
@@ -10,15 +10,16 @@ namespace armtune::internal {
 
 struct CompareOutcome {
   Ending ending = Ending::kInterrupted;
-  std::vector<ComparedSet> sets;  ///< empty if interrupted before all were simulated; no file is written then
-  std::vector<std::optional<std::vector<EnduranceResult>>> endured;  ///< one per set; nullopt: not extended
+  std::vector<ComparedSet> sets;  ///< empty, and no file is written, if interrupted before all were simulated
+  /// Results of the scenarios extended to many minutes, one entry per gain set; none if not extended.
+  std::vector<std::optional<std::vector<EnduranceResult>>> endured;
   SimulationVerdict verdict;
   std::vector<std::string> files;  ///< names of the files in the folder
 };
 
 class CompareSession {
  public:
-  /// sets: their names differ from each other, and are valid file names if the session has a folder. The
+  /// sets: no two have the same name. If the session has a folder, the names must be valid file names. The
   /// observer must outlive the session.
   CompareSession(RolloutSettings settings, std::vector<GainsToSimulate> sets, SessionContext context,
                  SessionObserver& observer);

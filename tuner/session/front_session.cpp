@@ -149,7 +149,7 @@ void FrontSession::search(RankGroup& ranks, CandidateRunner& workers) {
   if (writes() && !result.front.empty()) write_front();
   if (result.failure) std::rethrow_exception(result.failure);
   if (result.evaluations > 0 && !result.interrupted) {
-    observer_.progressed({fmt::format("fresh rollouts of {} points", result.front.size())});
+    observer_.progressed({fmt::format("simulating the {} points of the front again", result.front.size())});
     CandidateRunner fresh(ranks.pool(), study_.robust);
     outcome_.verified = verify(study_, *objective_, outcome_.options, result, fresh, context_.stop);
     observer_.part_is_over();

@@ -17,10 +17,10 @@ namespace armtune::internal {
 
 struct FrontSettings {
   RunPlace place = {};
-  std::vector<std::string> criteria;  ///< names of two or three; the search minimises the first
+  std::vector<std::string> criteria;  ///< names of two or three criteria; the first is minimised
   std::size_t levels = 0;             ///< levels of each other criterion; 0: 12, or 4 with three criteria
-  long max_evaluations = 0;           ///< 0: four times the study's number
-  int workers = 1;                    ///< threads
+  long max_evaluations = 0;           ///< 0: four times the number in the study
+  int workers = 1;                    ///< number of threads
   double deadline = 0.0;              ///< for one rollout, wall clock [s]; 0: derived from its duration
 };
 
@@ -28,7 +28,7 @@ struct FrontOutcome {
   Ending ending = Ending::kInterrupted;
   bool was_finished = false;  ///< true if the run had ended before; only `ending` is set then
   ParetoOptions options;
-  ParetoResult result;             ///< no evaluations: interrupted before the start gains were simulated
+  ParetoResult result;             ///< has no evaluations if interrupted before the start was simulated
   bool verified = false;           ///< true if every point was simulated again
   std::vector<std::string> files;  ///< names of the files in the folder
   double seconds = 0.0;            ///< wall time of the session [s]
@@ -37,8 +37,8 @@ struct FrontOutcome {
 /// An observer of a front session.
 class FrontObserver : public SessionObserver {
  public:
-  /// Called when the start gains were simulated. recalled: number of evaluations that a resumed run had
-  /// completed before.
+  /// Called when the start gains were simulated. recalled: number of evaluations that were completed before
+  /// the run was resumed; 0 for a new run.
   virtual void began(const Study& /*study*/, const ParetoOptions& /*options*/, std::size_t /*recalled*/) {}
 };
 
@@ -47,11 +47,11 @@ class FrontSession {
   /// The observer must outlive the session.
   FrontSession(Study study, FrontSettings settings, SessionContext context, FrontObserver& observer);
 
-  /// Runs the session; may be called once. Returns nothing in a rank that worked for another rank.
-  /// Throws InputError if a criterion is unknown or named twice, if the folder is used or holds another run,
-  /// or if the start gains give no reference. Throws FailedError if a file cannot be written, or if a point
-  /// gives different results when it is simulated again. Everything completed before an error stays in the
-  /// folder.
+  /// Runs the session; may be called once. Returns nothing in an MPI rank other than 0, which only simulates
+  /// for rank 0. Throws InputError if a criterion is unknown or named twice, if a new run's folder is not
+  /// empty, if the folder to resume contains another run, or if the start gains give no reference. Throws
+  /// FailedError if a file cannot be written, or if a point gives different results when it is simulated
+  /// again. Everything that was completed before an error stays in the folder.
   std::optional<FrontOutcome> run(RankGroup& ranks);
 
  private:

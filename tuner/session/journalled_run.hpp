@@ -1,7 +1,7 @@
 #pragma once
-// Manages the folder of a run that can be resumed after it was killed. It holds the folder's lock, and the
-// journal with everything that was completed. It keeps copies of the inputs, and sums the wall time over all
-// parts of the run.
+// Manages the folder of a run that can be resumed after it was killed. It locks the folder, and keeps a
+// journal of everything that was completed. It also keeps copies of the input files, and adds up the wall
+// time of all parts of the run.
 
 #include <functional>
 #include <memory>
@@ -28,17 +28,20 @@ inline constexpr const char* kJournal = "journal.txt";
 /// Returns the path of a run's journal, or the path that it would have if there is none.
 std::string journal_in(const std::string& folder);
 
-/// Returns the header of a run's journal: the invocation and everything that the results depend on. This is
-/// `identity`, which depends on the command, with versions and the hashes of the input files added.
+/// Returns the header of a run's journal: the invocation, and everything on which the results depend. The
+/// command passes the part that is specific to it as `identity`. This function adds the versions and the
+/// hashes of the input files.
 RunHeader run_header(const Invocation& invocation, std::vector<std::pair<std::string, std::string>> identity,
                      const std::vector<std::string>& inputs);
 
 class JournalledRun {
  public:
   /// Begins a run in a new folder, or opens a run to resume it. Keeps a copy of every input (keep_inputs).
-  /// write_first: writes files that must be in a new folder before the journal, because a resumed run reads
-  /// them from there. Throws InputError if the folder is used, if another run writes into it, if it holds a
-  /// symbolic link, or if its run differs from the header. A new run that fails here leaves nothing behind.
+  /// write_first: called for a new run before the journal is written; writes files that a resumed run reads
+  /// from the folder. Throws InputError if a new run's folder is not empty, or if another process writes into
+  /// the folder. For a run to resume, also throws InputError if the folder contains a symbolic link, or if
+  /// the header in its journal differs. If the constructor fails for a new run, it removes all that it has
+  /// written.
   JournalledRun(RunPlace place, const RunHeader& header, const std::vector<std::string>& inputs,
                 SessionObserver& observer, const std::function<void()>& write_first = {});
   /// Deletes the folder of a new run unless keep() was called.
@@ -48,7 +51,7 @@ class JournalledRun {
 
   bool resumed() const { return place_.resume; }
   Journal& journal() { return *journal_; }
-  /// Returns how the run ended, or nothing if it did not end. A run that has ended cannot be resumed.
+  /// Returns how the run ended, or nothing if it has not ended. A run that has ended cannot be resumed.
   std::optional<Ending> finished() const;
   /// True if the journal still exists, so that a run that failed can be resumed.
   bool can_resume() const;
@@ -56,7 +59,7 @@ class JournalledRun {
   double seconds() const { return before_ + watch_.seconds(); }
   /// Keeps the folder from now on, even if the run fails.
   void keep() { kept_ = true; }
-  /// Marks the run as complete: everything that it has to write is written.
+  /// Marks the run as complete. Call it when all files are written.
   void complete(Ending ending) { journal_->complete(static_cast<int>(ending)); }
 
  private:

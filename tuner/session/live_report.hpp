@@ -15,9 +15,10 @@ class LiveReport {
   /// folder: the run folder. Throws InputError if armtune is built without the report's page.
   LiveReport(std::string folder, SessionObserver& observer);
 
-  /// Call it after every evaluation. Rewrites FOLDER/report.html as a whole if the last one is at least some
-  /// seconds old; writing takes at most a twentieth of the time. Never throws: if a report cannot be written,
-  /// it warns once, and the search continues without further reports.
+  /// Rewrites FOLDER/report.html if the last report is old enough. Call it after every evaluation. Reports
+  /// are some seconds apart, and writing them takes at most a twentieth of the time. Never throws. If a
+  /// report cannot be written, it warns once, and the search continues without further reports. evaluations:
+  /// number of evaluations so far; most_evaluations: largest number; seconds_left: estimated time left [s].
   void update(long evaluations, long most_evaluations, double seconds_left);
 
  private:

@@ -1,7 +1,8 @@
 #pragma once
-// The work of the command `armtune robustness`. It simulates a gain set on many arms that differ from the
-// model at random. It reports the samples, their spread, and the share of arms that keep their limits (the
-// yield). If it has an output folder, it writes all files and can be resumed there.
+// The work of the command `armtune robustness`. It simulates a gain set on many arms, each of which differs
+// at random from the model of the arm. It reports the metrics on each arm, the spread of each metric over the
+// arms, and the yield. The yield is the share of arms that keep their limits. If the session has an output
+// folder, it writes all files there, and an interrupted run can be resumed.
 
 #include <memory>
 #include <optional>
@@ -23,8 +24,8 @@ struct MonteCarloSettings {
   Gains gains;
   std::string gains_path;     ///< path of the gains file; empty: the gains are from no file
   double deadline = 0.0;      ///< for one rollout, wall clock [s]; 0: derived from its duration
-  bool writes_arm = false;    ///< true: writes a single sample's arm as a URDF and a robot YAML
-  MonteCarloOptions options;  ///< the session sets the functions in it itself
+  bool writes_arm = false;    ///< true: if there is one sample only, writes its arm as URDF and robot YAML
+  MonteCarloOptions options;  ///< its functions are set by the session
 };
 
 struct MonteCarloOutcome {
@@ -32,14 +33,14 @@ struct MonteCarloOutcome {
   bool was_finished = false;              ///< true if the run had ended before; only `ending` is set then
   std::vector<MonteCarloSample> samples;  ///< in the order of their numbers, up to the first that is missing
   SimulationVerdict verdict;              ///< has no checks if interrupted
-  bool recorded = false;                  ///< true if the scenarios' own arm was simulated too, in nominal/
+  bool recorded = false;                  ///< true if the nominal arm was also simulated, in nominal/
   std::vector<std::string> files;         ///< names of the files in the folder
 };
 
 /// An observer of a Monte Carlo session.
 class MonteCarloObserver : public SessionObserver {
  public:
-  /// Called when the run is resumed. recalled: number of samples that were completed before.
+  /// Called when a run is resumed. recalled: number of samples that were completed before.
   virtual void resumed(std::size_t /*recalled*/) {}
 };
 
@@ -48,9 +49,10 @@ class MonteCarloSession {
   /// The observer must outlive the session.
   MonteCarloSession(MonteCarloSettings settings, SessionContext context, MonteCarloObserver& observer);
 
-  /// Runs the session; may be called once. Returns nothing in a rank that worked for another rank. Throws
-  /// InputError if the perturbation is not valid, or if the folder is used or holds another run. Throws
-  /// FailedError if a file cannot be written. Everything completed before an error is in the folder.
+  /// Runs the session; may be called once. Returns nothing in an MPI rank other than 0, which only simulates
+  /// for rank 0. Throws InputError if the perturbation is not valid, if a new run's folder is not empty, or
+  /// if the folder to resume contains another run. Throws FailedError if a file cannot be written. Everything
+  /// that was completed before an error stays in the folder.
   std::optional<MonteCarloOutcome> run(RankGroup& ranks);
 
  private:

@@ -11,8 +11,8 @@
 
 namespace armtune::internal {
 
-/// An observer of a session. A session calls it from any thread, one call at a time. Some kinds of sessions
-/// report more, through a class that is derived from this one and declared beside them.
+/// An observer of a session. A session calls it from any thread, one call at a time. Some sessions report
+/// further events. Their headers declare derived classes for these events, such as TuneObserver.
 class SessionObserver {
  public:
   SessionObserver() = default;
@@ -21,9 +21,9 @@ class SessionObserver {
   SessionObserver& operator=(const SessionObserver&) = delete;
 
   virtual void progressed(const Progress& /*progress*/) {}
-  /// Called when the part of the work that progressed() reported is over.
+  /// Called when a part of the work is finished, so that no more progress of this part will be reported.
   virtual void part_is_over() {}
-  /// Called with one sentence when something is wrong and the run continues.
+  /// Called with a warning as one sentence. The run continues.
   virtual void warned(const std::string& /*sentence*/) {}
   /// Called when the run fails and can be resumed, because everything completed is kept in its folder.
   virtual void can_resume(const std::string& /*folder*/) {}

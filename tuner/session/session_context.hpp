@@ -1,6 +1,6 @@
 #pragma once
-// Types that all sessions share. A session does the work of one armtune command. It gets from its caller a
-// stop flag and the command line that makes the run again. Its ending becomes the exit code.
+// Types that all sessions share. A session does the work of one armtune command. Its caller passes a stop
+// flag and the command line that repeats the run. The way in which the session ends becomes the exit code.
 
 #include <atomic>
 #include <chrono>
@@ -9,15 +9,15 @@
 
 namespace armtune::internal {
 
-/// The command that makes a run, for its journal and its provenance.
+/// The command line of a run, for its journal and its provenance.
 struct Invocation {
-  std::vector<std::string> words;  ///< command line without the program, --out and options that do not
-                                   ///< change results
-  std::string line;                ///< command that makes the run again, quoted for a shell
+  std::vector<std::string> words;  ///< command line without the program, without --out, and without
+                                   ///< options that do not change results
+  std::string line;                ///< command that repeats the run, quoted for a shell
 };
 
 struct SessionContext {
-  const std::atomic<bool>& stop;  ///< true: end soon with what is finished; outlives the session
+  const std::atomic<bool>& stop;  ///< true: the session ends soon, and keeps results; must outlive it
   Invocation invocation = {};
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // The work of the command `armtune simulate`. It simulates scenarios with one gain set and checks the
-// rollouts. If requested, it also extends them to many minutes (endurance). If it has an output folder, it
-// writes all files.
+// rollouts. If requested, it also extends each scenario to many simulated minutes (endurance). If the session
+// has an output folder, it writes all files there.
 
 #include <functional>
 #include <optional>
@@ -18,7 +18,7 @@
 
 namespace armtune::internal {
 
-/// A gain set that fits the robot of every scenario that it is simulated in.
+/// A gain set to simulate. It must fit the robots of all scenarios.
 struct GainsToSimulate {
   std::string name;                                ///< name of the set, such as "published"
   std::string path;                                ///< path of its file; empty: the gains are from no file
@@ -31,33 +31,36 @@ struct RolloutSettings {
   std::vector<Scenario> scenarios;
   Stepper stepper = Stepper::kMidpoint;
   Engine engine = Engine::kSimbody;
-  int workers = 1;           ///< threads
+  int workers = 1;           ///< number of threads
   int record_every = 5;      ///< control periods per row of the recordings
   double deadline = 0.0;     ///< for one scenario, wall clock [s]; 0: derived from its duration
-  double endurance = 0.0;    ///< simulated minutes that every scenario is extended to; 0: not extended
-  Yardstick yardstick = {};  ///< empty: no comparison with a yardstick
+  double endurance = 0.0;    ///< length to which every scenario is extended [min]; 0: not extended
+  Yardstick yardstick = {};  ///< comparison with the best possible motions; empty: no comparison
 };
 
 struct SimulateOutcome {
   Ending ending = Ending::kInterrupted;
   std::vector<ScenarioResult> results;                  ///< one per scenario, also for interrupted ones
-  std::optional<std::vector<EnduranceResult>> endured;  ///< if requested; fewer if interrupted
+  std::optional<std::vector<EnduranceResult>> endured;  ///< of extended scenarios; fewer if interrupted
   SimulationVerdict verdict;
   std::vector<std::string> files;  ///< names of the files in the folder
   double seconds = 0.0;            ///< duration of the rollouts, wall clock [s]
 };
 
-/// Checks rollouts and, if every scenario was extended, the endurance. set: name of the gain set, empty if
-/// there is only one. Returns true if every scenario was extended.
+/// Adds the checks of the rollouts to the verdict and, if every scenario was extended, the checks of the
+/// extended scenarios. set: name of the gain set, empty if there is only one. Returns true if every scenario
+/// was extended.
 bool check_rollouts(const RolloutSettings& settings, const std::vector<ScenarioResult>& results,
                     const std::optional<std::vector<EnduranceResult>>& endured, const std::string& set,
                     SimulationVerdict& verdict);
 
-/// Returns the options for rollouts in a folder. folder: empty: no recordings are written.
+/// Returns the options for simulate(). folder: folder for recordings; if empty, no recordings are written;
+/// set: name of the gain set, for the progress.
 SimulateOptions simulate_options(const RolloutSettings& settings, const std::string& folder,
                                  const std::string& set, SessionObserver& observer);
 
-/// Extends the scenarios. Returns nothing if endurance is not requested or `stop` is true.
+/// Simulates all scenarios, extended to settings.endurance. Returns nothing if this is 0, or if `stop` was
+/// true at the beginning.
 std::optional<std::vector<EnduranceResult>> extend_scenarios(const RolloutSettings& settings,
                                                              const GainsToSimulate& gains,
                                                              SessionObserver& observer,
@@ -69,9 +72,9 @@ class SimulateSession {
   SimulateSession(RolloutSettings settings, GainsToSimulate gains, SessionContext context,
                   SessionObserver& observer);
 
-  /// Runs the session; may be called once. Throws InputError if the folder is used, if a path winds a joint
-  /// up beyond its position limits, or if the recordings do not fit in memory. Throws FailedError if a file
-  /// cannot be written.
+  /// Runs the session; may be called once. Throws InputError if the folder is not empty, if a path moves a
+  /// joint beyond its position limits with any gains (refuse_winding), or if the recordings do not fit in
+  /// memory. Throws FailedError if a file cannot be written.
   SimulateOutcome run();
 
  private:

@@ -28,7 +28,8 @@ std::vector<std::string> warn_of_task(const Scenario& scenario, const Gains& gai
   if (!controller_kind(gains.controller).learns && start_theta(scenario).isZero(0.0)) {
     warnings.push_back(fmt::format(
         "{}: the controller {} does not adapt, and the scenario gives it no model of the arm, not even its "
-        "weight; add 'theta_start: {{model_scale: 1}}', or name there the theta.yaml of armtune identify",
+        "weight; add 'theta_start: {{model_scale: 1}}', or 'file' under 'theta_start', with the "
+        "theta.yaml that armtune identify wrote",
         scenario.name, gains.controller));
   }
   for (const std::string& warning : warnings) observer.warned(warning);

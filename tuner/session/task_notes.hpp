@@ -1,6 +1,6 @@
 #pragma once
-// Warns of scenarios that no gains can complete, or that the chosen kind of controller cannot complete. The
-// checks are made before anything is simulated.
+// Warns about scenarios that no gains can complete, and about scenarios that the chosen kind of controller
+// cannot complete. The checks are made before anything is simulated.
 
 #include <string>
 #include <vector>
@@ -11,17 +11,20 @@
 
 namespace armtune::internal {
 
-/// Warns if the scenario's path leaves the workspace or a joint's limits, runs through a singularity, or
-/// begins only after the scenario ends. Also warns if the controller does not adapt and the scenario gives it
-/// no model of the arm. Throws InputError if the path itself winds a joint up beyond its limits within the
-/// scenario's duration, which no gain prevents. Returns the warnings, for the verdict's notes.
+/// Warns if the arm cannot follow the scenario's path (task_trouble.hpp), for example because the path leaves
+/// the workspace or a joint's limits, or leads through a singularity. Also warns if the path begins only
+/// after the scenario ends. It also warns if the controller does not adapt and the scenario gives it no model
+/// of the arm. Throws InputError as refuse_winding does. Returns the warnings, for the verdict's notes.
 std::vector<std::string> warn_of_task(const Scenario& scenario, const Gains& gains,
                                       SessionObserver& observer);
 
-/// Warns of doubtful properties of the scenarios' arms, once for each arm (see plausibility.hpp).
+/// Warns about implausible numbers in the robot files of the scenarios, once for each arm (see
+/// plausibility.hpp).
 void warn_of_doubts(const std::vector<Scenario>& scenarios, SessionObserver& observer);
 
-/// Throws InputError if the path itself winds a joint up beyond its limits.
+/// Throws InputError if the path itself moves a joint beyond its position limits within the scenario's
+/// duration. An example is a closed path along which a joint turns farther with every lap. No gains can
+/// prevent this.
 void refuse_winding(const Scenario& scenario, const Gains& gains);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// Simulates the result of `armtune tune` again, and writes the files about it. The metrics in these files are
-// those of the new rollouts.
+// Simulates the result of `armtune tune` again, and writes the files about the result. The metrics in these
+// files are those of the new rollouts.
 
 #include <string>
 #include <vector>
@@ -9,30 +9,32 @@
 
 namespace armtune::internal {
 
-/// Simulates the start gains, the result and, if other gains replaced them, the start gains of the study's
-/// file. Writes recordings if the run has a folder.
+/// Simulates the start gains and the resulting gains. If armtune replaced the study's own start gains, also
+/// simulates these (Study::given). Writes recordings if the run has a folder.
 std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& result,
                                         const TuneSettings& settings);
 
-/// Simulates all arms of a study on many arms again, with the start gains and with the result, and returns
-/// the risk measure of each. Writes it as robust_errors.csv if the run has a folder. Throws FailedError if it
-/// differs from what the search got in Simbody.
+/// For a study that tunes on several arms: simulates all arms again, with the start gains and with the
+/// resulting gains. Returns the risk measures of the metrics over the arms for both gain sets. If the run has
+/// a folder, writes them as robust_errors.csv. Throws FailedError if they differ from those that the search
+/// computed in Simbody.
 std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResult& result,
                                              const TuneSettings& settings, RankGroup& ranks);
 
-/// Replaces the results of the best gains by Simbody's fresh rollouts and judges them again. It is needed
-/// when an interrupted search ended with results of another engine. simulated: the rollouts that the
-/// objective is computed from.
+/// Replaces the simulation results of the best gains by new ones from Simbody, and computes their objective
+/// and constraints again. This is needed if an interrupted search ended with results of another engine.
+/// simulated: the new results; for a study on several arms, their risk measures.
 void judge(const Objective& objective, const ComparedSet& simulated, TuneResult& result);
 
 void write_gains(const Study& study, const TuneResult& result, const std::string& folder);
 
-/// Writes the ROS parameter file that the start gains came from, with these gains in it and nothing else
-/// changed. Returns its name in the folder. Returns an empty text and writes nothing if they came from no
-/// such file. Throws InputError if the file cannot hold the gains.
+/// Writes a copy of the ROS parameter file from which the start gains were read. In the copy only the gains
+/// are replaced. Returns the name of the copy in the folder. If the start gains were not read from such a
+/// file, writes nothing and returns an empty text. Throws InputError if the file cannot contain the gains.
 std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder);
 
-/// Writes errors.csv of all sets, and columns.csv. yardsticks: one for the start and one for the result.
+/// Writes errors.csv of every gain set, and columns.csv. sets: start, result and perhaps given; yardsticks:
+/// one for the start and one for the result.
 void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
                   const std::vector<YardstickFiles>& yardsticks, const std::string& folder);
 

@@ -129,7 +129,7 @@ TuneResult TuneSession::search_with_files(CandidateRunner& workers) {
 /// Fresh rollouts of both gain sets, start and result: the figures that are reported, and the recordings.
 void TuneSession::verify(RankGroup& ranks) {
   TuneResult& result = outcome_.result;
-  observer_.progressed({"fresh rollouts of the start and the tuned gains"});
+  observer_.progressed({"simulating the start gains and the tuned gains again"});
   outcome_.sets = simulate_again(study_, result, settings_);
   observer_.part_is_over();
   if (study_.robust) outcome_.robust = simulate_arms_again(study_, result, settings_, ranks);

@@ -1,7 +1,7 @@
 #pragma once
-// The work of the command `armtune tune`, from the start gains to the verdict. It searches for better gains,
-// simulates the result again, analyses and checks it. If it has an output folder, it writes all files. A run
-// with a folder that was killed or interrupted can be resumed there.
+// The work of the command `armtune tune`, from the start gains to the verdict. It searches for better gains.
+// Then it simulates, analyses and checks the result. If the session has an output folder, it writes all files
+// there, and a run that was killed or interrupted can be resumed.
 //
 //   TuneObserver silent;
 //   std::atomic<bool> stop{false};
@@ -29,29 +29,30 @@ namespace armtune::internal {
 
 struct TuneSettings {
   RunPlace place = {};
-  int workers = 1;           ///< threads
+  int workers = 1;           ///< number of threads
   double deadline = 0.0;     ///< for one rollout, wall clock [s]; 0: derived from its duration
   int record_every = 5;      ///< control periods per row of the recordings
-  bool analysis = true;      ///< margins, sensitivity, and the checks that take long
-  bool live = false;         ///< true: rewrite report.html while the search is under way
-  Yardstick yardstick = {};  ///< empty: no comparison with a yardstick
+  bool analysis = true;      ///< true: compute margins and sensitivities, and make the long checks
+  bool live = false;         ///< true: rewrite report.html every few seconds during the search
+  Yardstick yardstick = {};  ///< comparison with the best possible motions; empty: no comparison
 };
 
 struct TuneOutcome {
   Ending ending = Ending::kInterrupted;
   bool was_finished = false;           ///< true if the run had ended before; only `ending` is set then
-  TuneResult result;                   ///< no evaluations: interrupted before the start gains were simulated
+  TuneResult result;                   ///< has no evaluations if interrupted before the start was simulated
   std::optional<Objective> objective;  ///< set once the start gains were simulated
-  /// Fresh rollouts of the start and the result, followed by the study's `given` if it has any. Empty if the
-  /// session ended right after an interrupted search.
+  /// Results of simulate_again(): for the start gains, the resulting gains and, if the study has them, the
+  /// gains Study::given. Empty if the session ended right after an interrupted search.
   std::vector<ComparedSet> sets;
-  /// Risk measure of fresh rollouts of all arms, for the start and the result. Only for a study on many arms.
+  /// Results of simulate_arms_again(), for the start gains and the resulting gains. Empty unless the study
+  /// tunes on several arms.
   std::vector<ComparedSet> robust;
   std::optional<Sensitivity> sensitivity;
   SimulationVerdict verdict;
   std::vector<std::string> files;  ///< names of the files in the folder
-  /// Name of the ROS parameter file among them: the file of the start gains, with the result's gains. Empty
-  /// if a check failed or was left out, or if there is no such file.
+  /// Name of the ROS parameter file with the resulting gains (write_controllers). Empty if a check failed or
+  /// was left out, or if the start gains were not read from such a file.
   std::string controllers;
   double seconds = 0.0;  ///< wall time of the session [s]
 };
@@ -59,19 +60,19 @@ struct TuneOutcome {
 /// An observer of a tuning session.
 class TuneObserver : public SessionObserver {
  public:
-  /// Called when the start gains were simulated. recalled: number of evaluations that a resumed run had
-  /// completed before.
+  /// Called when the start gains were simulated. recalled: number of evaluations that were completed before
+  /// the run was resumed; 0 for a new run.
   virtual void began(const Study& /*study*/, std::size_t /*recalled*/) {}
   /// Called for every evaluation, in order.
   virtual void evaluated(const Evaluation& /*evaluation*/) {}
-  /// Called when the result was simulated again.
+  /// Called when the resulting gains were simulated again.
   virtual void verified(const TuneOutcome& /*so_far*/) {}
-  /// Called with the margins of the start and of the result.
+  /// Called with the stability margins of the start gains and of the resulting gains.
   virtual void found_margins(const std::vector<ComparedMargins>& /*sets*/) {}
   virtual void found_sensitivity(const Sensitivity& /*sensitivity*/) {}
-  /// Called when nothing about the search itself changes any more. The checks follow.
+  /// Called when search and analysis are finished, before the checks.
   virtual void searched(const TuneOutcome& /*so_far*/) {}
-  /// Called when scenarios were extended: all scenarios of the study unless interrupted.
+  /// Called with the results of the extended scenarios. If the run was interrupted, some may be missing.
   virtual void extended(const std::vector<EnduranceResult>& /*results*/) {}
 };
 
@@ -80,17 +81,18 @@ class TuneSession {
   /// The observer must outlive the session.
   TuneSession(Study study, TuneSettings settings, SessionContext context, TuneObserver& observer);
 
-  /// Runs the session; may be called once. Returns nothing in a rank that worked for another rank. Throws
-  /// InputError if the folder is used or holds another run, or if the start gains give no reference. Throws
-  /// FailedError if a file cannot be written. Everything completed before an error stays in the folder.
+  /// Runs the session; may be called once. Returns nothing in an MPI rank other than 0, which only simulates
+  /// for rank 0. Throws InputError if a new run's folder is not empty, if the folder to resume contains
+  /// another run, or if the start gains give no reference. Throws FailedError if a file cannot be written.
+  /// Everything that was completed before an error stays in the folder.
   std::optional<TuneOutcome> run(RankGroup& ranks);
 
  private:
   bool writes() const { return !settings_.place.folder.empty(); }
   const std::string& folder() const { return settings_.place.folder; }
   void begin();
-  /// Extends the study's scenarios under these gains, then simulates random arms. Keeps both results for the
-  /// checks. Returns which check failed; empty: none.
+  /// Simulates the study's extended scenarios with these gains, and then random arms. Keeps both results for
+  /// the checks. Returns the first check that failed as a text; empty if none failed.
   std::string fault_of(const Gains& gains);
   void search(CandidateRunner& workers);
   TuneResult search_with_files(CandidateRunner& workers);
@@ -114,7 +116,8 @@ class TuneSession {
   int count_ = 1;  ///< number of the search's workers
   std::vector<EvaluationRow> evaluations_;
   std::vector<YardstickFiles> yardsticks_ = std::vector<YardstickFiles>(2);
-  /// Results of the checks that the search has made already. gains: text of the gains file they apply to.
+  /// Results of the checks that were made during the search. gains: text of a gains file with the gains to
+  /// which they belong.
   struct {
     std::string gains;
     std::vector<EnduranceResult> endured;

@@ -198,7 +198,8 @@ const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t paramete
   const AlgorithmInfo& info = algorithm_from_name(name);
   if (info.most_parameters > 0 && parameters > info.most_parameters) {
     throw InputError(fmt::format(
-        "algorithm '{}' takes at most {} parameters, but there are {}; use another algorithm, or tune fewer",
+        "algorithm '{}' takes at most {} parameters, but there are {}; use another algorithm, or tune "
+        "fewer gains",
         name, info.most_parameters, parameters));
   }
   return info;

@@ -1,5 +1,5 @@
 #pragma once
-// Computes starting points for several local searches. They are spread evenly over the search box.
+// Computes starting points for several local searches. The points cover the searched range evenly.
 
 #include <cstdint>
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace armtune::internal {
 
-/// Returns `count` points of a low-discrepancy sequence in the problem's box. In Richtmyer's sequence (1951),
-/// coordinate i advances by the fractional part of the square root of the i-th prime. The sequence is shifted
-/// at random (Cranley and Patterson, 1976). The same seed gives the same points, and a smaller count gives
-/// the first of them.
+/// Returns `count` points of a low-discrepancy sequence between the bounds of the problem. It is Richtmyer's
+/// sequence (1951), in which coordinate i advances by the fractional part of the square root of the i-th
+/// prime. The sequence is shifted at random (Cranley and Patterson, 1976). The same seed gives the same
+/// points. A smaller count gives the first points of the same sequence.
 std::vector<std::vector<double>> spread_starts(const SolverProblem& problem, std::size_t count,
                                                std::uint64_t seed);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Runs several searches at once, in lock step. The points that all of them request are evaluated in one
-// batch.
+// Runs several searches at the same time, in rounds. In each round, every search requests points. The points
+// of all searches are then evaluated together, so that the simulations can run in parallel.
 
 #include <functional>
 #include <vector>
@@ -16,17 +16,17 @@ struct JoinedSearch {
 
 /// The points that one search requests in a round, and their values.
 struct Request {
-  std::size_t search = 0;  ///< index
+  std::size_t search = 0;  ///< index of the search
   std::vector<SolverPoint> points;
-  std::vector<SolverValue> values;  ///< as SolverProblem::evaluate fills them
-  bool go_on = true;                ///< false: ends this search at once
+  std::vector<SolverValue> values;  ///< to be filled as by SolverProblem::evaluate
+  bool go_on = true;                ///< set to false to end this search at once
 };
 
-/// Runs every search in a thread of its own. Each round waits until every search that has not ended has made
-/// a request. It then calls `evaluate` in the caller's thread with all requests, in the order of the
-/// searches, so that the rounds do not depend on how threads are scheduled. An exception, of a search or of
-/// `evaluate`, ends all searches and is thrown again here. Of several in one round it is that of the first
-/// search.
+/// Runs every search in a separate thread. A round begins when every search that has not ended has made a
+/// request. Then `evaluate` is called in the caller's thread with all requests, in the order of the searches.
+/// Thus the result does not depend on how threads are scheduled. If a search or `evaluate` throws, all
+/// searches end, and the exception is thrown again here. If several searches throw in one round, it is the
+/// exception of the first of them.
 std::vector<SolverOutcome> minimize_together(const std::vector<JoinedSearch>& searches,
                                              const std::function<void(std::vector<Request>&)>& evaluate);
 

@@ -1,9 +1,9 @@
 #pragma once
-// Stability margins as constraints of a study. For each demanded margin and scenario there is one extra
-// rollout of the nominal arm, called a corner. In it the margin's quantity, such as a delay, has the demanded
-// value. The constraint holds exactly if `armtune margins` finds the loop stable there: the rollout
-// completes, keeps the arm's velocity and position limits, touches nothing, and saturates a joint in at most
-// 1 % of its periods.
+// Stability margins as constraints of a study. For each demanded margin and each scenario there is one further
+// rollout of the nominal arm. Its scenario is called a corner: a copy of the scenario in which the margin's
+// quantity, such as a delay, has the demanded value. The constraint holds if the loop is stable in the corner.
+// `armtune margins` uses the same definition: the rollout completes, keeps the arm's velocity and position
+// limits, touches nothing, and saturates a torque in at most 1 % of the control periods.
 
 #include <optional>
 #include <string>
@@ -15,14 +15,14 @@
 
 namespace armtune::internal {
 
-/// A demand on one margin, as a study's `margins` states it: extra periods of delay, a factor on the gains, a
-/// factor on the noise, a share of the control rate.
+/// A demand on one margin, as a study's `margins` states it.
 struct MarginDemand {
   MarginKind kind = MarginKind::kTorqueDelay;
+  /// For delay: additional control periods. For gain, noise and control rate: a factor on the nominal value.
   double value = 0.0;
 };
 
-/// A key in `margins` and `verdict`, the margin that it stands for, and its default threshold.
+/// A key in a study's `margins` and `verdict`, with the margin and the threshold that it sets.
 struct MarginThreshold {
   const char* key;
   MarginKind kind;
@@ -30,20 +30,24 @@ struct MarginThreshold {
 };
 const std::array<MarginThreshold, kMarginCount>& margin_thresholds();
 
-/// Returns the value that the margin's quantity must have in the scenario to meet the demand. Noise and rate
-/// are demanded as multiples of the scenario's own values.
+/// Returns the demanded value of the margin's quantity in the scenario, in the unit of the quantity. For noise
+/// and control rate, this is the factor of the demand times the scenario's own value.
 double demanded_value(const MarginDemand& demand, const Scenario& scenario);
 
 /// True if the sensors of any scenario are noisy. Without noise, a factor on the noise demands nothing.
 bool has_noise(const std::vector<Scenario>& scenarios);
 
-/// Returns the scenario with the margin's quantity at the demanded value. Its name is the scenario's,
-/// followed by the demand.
+/// Returns the corner: the scenario with the margin's quantity at the demanded value. Its name is the
+/// scenario's name, followed by the demand.
 Scenario corner_of(const Scenario& scenario, const MarginDemand& demand);
 
-/// Returns by how much the loop misses stability in a corner rollout; zero or less if it is stable. It is the
-/// largest of these excesses: velocity (relative to the limit), position [rad, m], depth of a contact [m],
-/// saturated periods (relative to those allowed). It is 1 or more if the rollout did not complete.
+/// Returns by how much the condition of stability is violated in the rollout of a corner. The result is zero
+/// or less if the loop is stable. It is the largest of these numbers:
+/// - velocity beyond the limit, relative to the limit;
+/// - position beyond the limit [rad, m];
+/// - depth of a contact [m];
+/// - number of saturated periods beyond the allowed number, relative to the allowed number.
+/// If the rollout did not complete, the result is from 1 to 2.
 double missing_to_hold(const RolloutResult& result, const Scenario& corner);
 
 }  // namespace armtune::internal

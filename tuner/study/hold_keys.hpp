@@ -7,12 +7,13 @@
 
 namespace armtune::internal {
 
-/// Returns the set of random arms that the keys of `robust` describe. The arms vary about those of the
-/// scenarios. Throws InputError with file, line and key.
+/// Returns the set of random arms that the keys of `robust` describe. Each arm differs at random from the arm
+/// of the scenario. Throws InputError with file, line and key.
 SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scenarios);
 
-/// Adds the demands of the keys of `margins`, and one constraint for each of them over its corners. The
-/// study's scenarios and other constraints must be read already. Throws InputError with file, line and key.
+/// Adds the demands of the keys of `margins` to the study. For each demand, also adds one constraint over all
+/// corners of the demand (corner.hpp). The study's scenarios and other constraints must be read already.
+/// Throws InputError with file, line and key.
 void read_margins(const yaml::Node& node, Study& study);
 
 /// Returns the thresholds of `verdict`; keys that are left out keep their defaults. Throws InputError with

@@ -42,8 +42,8 @@ Hopeless read_hopeless(const yaml::Node* node, Metric metric, bool upper, std::o
   const char* bound = upper ? "at_most" : "at_least";
   if (!can_be_hopeless(metric, upper)) {
     node->fail(
-        fmt::format("{} can recover during a rollout and still meet '{}', so 'hopeless' does not apply; "
-                    "leave the key out. With '{}' it applies to: {}",
+        fmt::format("{} can recover during a rollout and meet '{}' at the end, so 'hopeless' does not apply; "
+                    "leave the key out. With '{}', 'hopeless' applies to: {}",
                     name(metric), bound, bound, fmt::join(names_of_those_that_can(upper), ", ")));
   }
   if (limit && (upper ? value <= *limit : value >= *limit)) {

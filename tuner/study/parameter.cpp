@@ -93,8 +93,8 @@ void validate(const ParameterSpace& space, const std::string& where) {
     };
     if (p.lower == 0.0 && p.upper == 0.0) {
       fail(
-          "its start value is 0, and its default bounds are multiples of it; give 'lower' and 'upper', or "
-          "remove the parameter");
+          "its start value is 0, and its default bounds are multiples of this value; give 'lower' and "
+          "'upper', or remove the parameter");
     }
     if (p.lower == p.upper) {
       fail(fmt::format("both bounds are {0}; give a range, or fix the value with 'fixed: {0}'", p.lower));
@@ -104,7 +104,7 @@ void validate(const ParameterSpace& space, const std::string& where) {
     }
     if (p.lower < 0.0) fail(fmt::format("lower bound {} is negative; a gain must not be negative", p.lower));
     if (p.scale == Scale::kLog && p.lower <= 0.0) {
-      fail(fmt::format("lower bound {} does not fit a log scale; give one above zero, or 'scale: linear'",
+      fail(fmt::format("lower bound {} does not fit a log scale; give a bound above zero, or 'scale: linear'",
                        p.lower));
     }
     if (p.scale == Scale::kLog && !(p.upper / p.lower <= kWidestSpan)) {

@@ -82,7 +82,8 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
     } else if (link != nullptr) {
       const auto target = find_by_name(space.free, link->as_string());
       if (target == space.free.end()) {
-        link->fail("'" + link->as_string() + "' is not a tuned parameter listed before this one");
+        link->fail("'" + link->as_string() +
+                   "' is not a tuned parameter listed before this one; list it first, then the link");
       }
       space.links.push_back({entry, static_cast<std::size_t>(target - space.free.begin()), factor});
     } else {

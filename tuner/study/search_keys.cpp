@@ -55,7 +55,8 @@ void read_engine(yaml::MapReader& map, Study& study) {
         .fail("has no effect, because Simbody does the search; leave it out, or give engine: native");
   }
   if (study.engine == Engine::kNative && study.stepper == Stepper::kReference) {
-    map.required("stepper").fail("'reference' exists in Simbody only; give another one, or engine: simbody");
+    map.required("stepper").fail(
+        "'reference' exists in Simbody only; give another stepper, or engine: simbody");
   }
 }
 
@@ -119,7 +120,8 @@ void read_warm_start(const yaml::Node& node, Study& study) {
   yaml::MapReader map(node);
   WarmStart warm;
   const yaml::Node& from = map.required("from");
-  if (const yaml::Node* names = map.optional("parameters")) {
+  const yaml::Node* names = map.optional("parameters");
+  if (names != nullptr) {
     warm.parameters = names->as_strings();
     if (warm.parameters.empty()) names->fail("the list is empty; leave the key out to use all parameters");
   }
@@ -136,7 +138,7 @@ void read_warm_start(const yaml::Node& node, Study& study) {
   try {
     warm_point(study.space, warm);
   } catch (const InputError& e) {
-    map.required("parameters").fail(e.what());
+    (names == nullptr ? from : *names).fail(e.what());
   }
   study.warm = std::move(warm);
 }

@@ -88,7 +88,7 @@ struct StudyParts {
 };
 
 /// Reads a bundled study by name, or a file by path. controller: the kind of controller to tune (empty: that
-/// of the study). If it is not the kind of the start gains, these are converted (controlled_by), and all
+/// of the study). If it is not the kind of the start gains, these are converted (convert_gains), and all
 /// gains that are tuned by default are tuned. Throws InputError.
 Study load_study(const std::string& name_or_path, const std::string& controller = {},
                  const StudyParts& parts = {});

@@ -55,7 +55,7 @@ constexpr double kLargest = 1e12;
 double require_moderate(double value, const yaml::Node& node) {
   const double magnitude = std::abs(value);
   if (magnitude == 0.0 || (magnitude >= kSmallest && magnitude <= kLargest)) return value;
-  node.fail(fmt::format("{} is neither 0 nor of magnitude {:.0e} .. {:.0e}; give a value in this range",
+  node.fail(fmt::format("{} is too small or too large; give 0, or a value of magnitude {:.0e} .. {:.0e}",
                         value, kSmallest, kLargest));
 }
 
@@ -131,7 +131,7 @@ std::vector<ObjectiveTerm> read_objective(const yaml::Node& node, const std::vec
     term.metric = read_metric(map.required("metric"));
     if (field(term.metric).better == Better::kNeither) {
       map.required("metric").fail(fmt::format(
-          "{} cannot be an objective, because neither more nor less is better; give another metric",
+          "{} cannot be an objective, because neither larger nor smaller is better; give another metric",
           name(term.metric)));
     }
     term.weight = read_scale(map, "weight", 1.0);
@@ -187,7 +187,7 @@ Gains controlled(const Gains& gains, const yaml::Node* node, const std::string& 
     const ControllerKind& kind = controller_kind(asked.empty() ? node->as_string() : asked);
     if (kind.name == gains.controller) return gains;
     const RobotModel& robot = *first.robot;
-    return controlled_by(kind, gains, robot, in_si(robot, with_goal(gains, first).joint_space_goal));
+    return convert_gains(kind, gains, robot, in_si(robot, with_goal(gains, first).joint_space_goal));
   } catch (const InputError& e) {
     if (!asked.empty()) throw;
     node->fail(e.what());

@@ -67,8 +67,8 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
     const GainEntry& entry = space.free[i].entry;
     if (!has(warm.gains, entry)) {
       throw InputError(
-          fmt::format("{}: no {} is given, but the study tunes this gain; add it, or name the gains to take "
-                      "from this file",
+          fmt::format("{}: no {} is given, but the study tunes this gain; add the gain, or name the gains "
+                      "to take from this file under 'parameters'",
                       warm.source, entry.name));
     }
     value(there, entry) = value(warm.gains, entry);
@@ -81,7 +81,7 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
       point.x[i] = coordinates[i];
       if (v < p.lower || v > p.upper) {
         point.clamped.push_back(
-            fmt::format("{}: {} {} lies outside its bounds {} .. {}; the search starts at the nearer bound",
+            fmt::format("{}: {} is {}, outside its bounds {} .. {}; the search starts at the nearer bound",
                         warm.source, p.entry.name, v, p.lower, p.upper));
       }
     }

@@ -67,7 +67,8 @@ void AimedSearch::check_reference(const Costs& start) const {
   for (std::size_t k = 0; k < options_.criteria.size(); ++k) {
     if (std::isfinite(start[k]) && start[k] != 0.0) continue;
     throw InputError(fmt::format(
-        "{}: {} is {} with the start gains; a criterion must be finite and not zero there; choose another",
+        "{}: {} is {} with the start gains; a criterion needs a finite value other than 0 there; choose "
+        "another criterion",
         where(study_), options_.criteria[k].name(), start[k]));
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Searches for single points of a Pareto front. Each search minimises one criterion and sets upper limits for
-// the others. A gain set that one search has simulated is not simulated again for another.
+// Searches for single points of a Pareto front (pareto.hpp). Each search minimises one criterion, with upper
+// limits on the others. A gain set that one search has simulated is not simulated again for another search.
 
 #include <map>
 #include <optional>
@@ -13,33 +13,36 @@
 
 namespace armtune::internal {
 
-/// The task of one search: minimise criterion k with all others at most `levels` (infinite: no limit).
+/// The task of one search: minimise criterion k while the costs of all criteria stay at or below `levels`.
 struct Aim {
-  std::size_t k = 0;
-  Costs levels;
-  std::vector<double> x;  ///< start of the search
-  long budget = 0;        ///< evaluations
+  std::size_t k = 0;      ///< index of the criterion that is minimised
+  Costs levels;           ///< upper limits, one per criterion; infinite: no limit
+  std::vector<double> x;  ///< search coordinates where the search starts
+  long budget = 0;        ///< largest number of evaluations
   SolverOptions solver;
 };
 
 class AimedSearch {
  public:
-  /// All arguments but the journal, which may be null, must outlive the search. callbacks: as in pareto().
+  /// All arguments must outlive the search. callbacks: as in pareto(); journal: may be null.
   AimedSearch(const Study& study, const ParetoOptions& options, CandidateRunner& workers,
               const std::atomic<bool>& stop, const ParetoCallbacks& callbacks, Journal* journal);
 
-  /// Simulates the start, and the start of a warm start if there is one. Returns false if the run was
-  /// interrupted. Throws InputError if a criterion of the start cannot be a reference.
+  /// Simulates the start gains and, if the study has a warm start, the gains of the warm start. Returns false
+  /// if the run was interrupted. Throws InputError if a criterion is not finite, or is zero, with the start
+  /// gains.
   bool start();
-  /// Searches for all aims at once, or for none if the run was interrupted. shown: text for the progress.
+  /// Runs the searches for all aims at the same time. Does nothing if the run was interrupted. shown: text
+  /// that the progress shows.
   void minimise(const char* phase, const std::string& shown, const std::vector<Aim>& aims);
 
   /// Returns every feasible point that no other dominates.
   const Archive& archive() const { return archive_; }
-  /// Returns the best of all points in the study's own order. If no point is feasible, it is the one that
-  /// comes nearest to the constraints.
+  /// Returns the best of all points, compared by better() (evaluation.hpp). If no point is feasible, it is
+  /// the point with the smallest violation of the constraints.
   const Evaluation& best() const { return *best_; }
-  /// Returns the start, the number of evaluations and whether the run was interrupted; no front or levels.
+  /// Returns a result without front and levels. It contains the start, the number of evaluations, and the
+  /// reason if the run ended early.
   const ParetoResult& so_far() const { return out_; }
 
  private:
@@ -60,7 +63,7 @@ class AimedSearch {
   const ParetoOptions& options_;
   const ParetoCallbacks& callbacks_;
   Evaluator evaluator_;
-  WarmPoint box_;  ///< empty without a warm start
+  WarmPoint box_;  ///< bounds of the search; empty without a warm start
   std::optional<Objective> objective_;
   std::map<std::vector<double>, Known> known_;
   Archive archive_;

@@ -1,6 +1,6 @@
 #pragma once
-// The nondominated feasible points that a search for a Pareto front has found so far. Further searches start
-// from them.
+// The points that a search for a Pareto front keeps: all feasible points found so far that no other one
+// dominates (front.hpp). Further searches start from these points.
 
 #include <vector>
 
@@ -10,18 +10,19 @@ namespace armtune::internal {
 
 class Archive {
  public:
-  /// Adds the point if it is feasible, every cost has a value, and no other point dominates or equals it.
-  /// Removes the points that it dominates.
+  /// Adds the point if it is feasible, no cost is NaN, and no point of the archive dominates it or has equal
+  /// costs. Then removes the points that the new one dominates.
   void add(ParetoPoint point);
   const std::vector<ParetoPoint>& points() const { return points_; }
 
-  /// Returns the point with the least cost k among those at or below all `levels`, or null if there is none.
-  /// The pointer is valid until the next call of `add`.
+  /// Returns the point with the smallest cost k among the points whose costs are all at or below `levels`, or
+  /// null if there is none. The pointer is valid until the next call of `add`.
   const ParetoPoint* best_under(std::size_t k, const Costs& levels) const;
 
-  /// Returns search coordinates where the search of a level begins. They belong to the point with the least
-  /// first cost plus a penalty for exceeding the level, which is mostly the neighbour's point. start: its
-  /// costs are the scale, and its coordinates are returned while there is no point.
+  /// Returns the search coordinates at which the search for these levels starts. They are those of the point
+  /// with the smallest sum of its first cost and a penalty for costs above the levels. Mostly, this point was
+  /// found for a neighbouring level. start: its costs are the units of the sum. If the archive is empty, its
+  /// coordinates are returned.
   const std::vector<double>& beginning(const Costs& levels, const ParetoPoint& start) const;
 
  private:

@@ -32,7 +32,9 @@ Criterion criterion_from_name(const std::string& name) {
   if (const auto metric = metric_from_name(name)) {
     if (field(*metric).better != Better::kNeither) return {metric};
     throw InputError(
-        fmt::format("{} cannot be a criterion: neither more nor less of it is better; choose another", name));
+        fmt::format("{} cannot be a criterion, because neither larger nor smaller is better; choose another "
+                    "metric",
+                    name));
   }
   std::vector<std::string> names{kObjective};
   for (const MetricField& f : metric_fields()) names.emplace_back(f.name);

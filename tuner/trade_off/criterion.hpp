@@ -17,16 +17,16 @@ struct Criterion {
   bool larger_is_better() const;
 };
 
-/// Returns the criterion called "objective", or called like a metric that is a goal. Throws InputError for
-/// other names.
+/// Returns the criterion with this name: "objective", or the name of a metric of which either larger or
+/// smaller values are better. Throws InputError for other names.
 Criterion criterion_from_name(const std::string& name);
 
-/// Returns the objective, or the metric's worst value over the scenarios that it applies to (see applies()),
-/// in the metric's unit. It is NaN if a scenario did not give it, or if it applies to none. e: has one result
-/// per scenario.
+/// Returns the criterion's value: the objective, or the metric's worst value in the metric's unit. The worst
+/// value is taken over the scenarios to which the metric applies (see applies()). It is NaN if the metric has
+/// no value in one of them, or if it applies to none. e: has one result per scenario.
 double value(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios);
 
-/// Returns the value with the sign for which less is better.
+/// Returns the criterion's value, negated if larger values are better. Smaller costs are always better.
 double cost(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios);
 
 }  // namespace armtune::internal

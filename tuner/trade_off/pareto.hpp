@@ -1,10 +1,11 @@
 #pragma once
 // Finds the Pareto front of a study, which shows how much one criterion gets worse when another one improves.
 //
-// It uses the epsilon-constraint method (Haimes, Lasdon, Wismer, 1971). It minimises the first criterion
-// while the others must not exceed a level, level by level, there and back. Each search begins at the best
-// point known for its level, which is mostly that of a neighbour. The front contains the feasible evaluations
-// of the whole run that no other one dominates, whatever search made them.
+// The method is the epsilon-constraint method (Haimes, Lasdon, Wismer, 1971). A level is a set of upper
+// limits on all criteria except the first (level_grid.hpp). For each level, a search minimises the first
+// criterion under these limits. It starts from the best point known for the level, which mostly was found for
+// a neighbouring level. All levels are searched once in order, and once in reverse order. The front contains
+// all feasible evaluations of the run that no other one dominates (front.hpp).
 
 #include <atomic>
 #include <exception>
@@ -21,11 +22,11 @@
 namespace armtune::internal {
 
 struct ParetoOptions {
-  std::vector<Criterion> criteria;  ///< two or three; the first is minimised, the others get levels
-  std::size_t levels = 12;          ///< number for each of the others, including both ends (>= 2)
+  std::vector<Criterion> criteria;  ///< two or three; the first is minimised, the others get limits
+  std::size_t levels = 12;          ///< number of limits for each criterion but the first (>= 2)
   long max_evaluations = 1200;
 
-  /// Returns the number of searches for all levels, there and back.
+  /// Returns the number of searches: two for every level.
   std::size_t searches() const;
 };
 
@@ -35,22 +36,22 @@ struct ParetoPoint {
   Costs costs;  ///< one per criterion; less is better
 };
 
-/// A level of the other criteria, with the best first criterion that was found below it.
+/// A level, and the best point that was found for it.
 struct ParetoLevel {
-  Costs levels;
-  std::size_t best = 0;  ///< index into ParetoResult::front
+  Costs levels;          ///< upper limits, one per criterion; that of the first is infinite
+  std::size_t best = 0;  ///< point within the limits with the smallest first cost; index into the front
 };
 
 struct ParetoResult {
   ParetoPoint start;
   std::vector<ParetoPoint> front;  ///< feasible and not dominated, ascending in the first cost
   std::vector<ParetoLevel> levels;
-  double hypervolume = 0.0;  ///< volume below the start's costs (see front.hpp)
+  double hypervolume = 0.0;  ///< hypervolume (front.hpp) with the start's costs as reference
   long evaluations = 0;
   bool interrupted = false;
-  bool out_of_time = false;  ///< true if the study's minutes ended before the searches did
+  bool out_of_time = false;  ///< true if the study's max_minutes ended the searches
   std::exception_ptr
-      failure;  ///< error that ended the search early, such as a full disk; the rest is what was found before
+      failure;  ///< error that ended the search early, such as a full disk; earlier results are kept
 
   /// Returns the number of points of the front that dominate the start.
   std::size_t dominating_start() const;
@@ -73,21 +74,24 @@ struct ParetoCallbacks {
 };
 
 /// Finds the front. The result is deterministic: it depends only on study and options, unless the study sets
-/// max_minutes. One end of the front is the least of the first criterion. The others are the least of each
-/// other criterion with none of the rest worse than at the start, if feasible points are that good. Throws
-/// InputError if the start gains give no reference for the objective or a criterion. journal: as in tune().
+/// max_minutes. The search first finds the ends of the front. One end is the minimum of the first criterion.
+/// For each other criterion, the end is its minimum while the remaining criteria are no worse than at the
+/// start. If no feasible point is known in which a remaining criterion is that good, this criterion has no
+/// limit. Throws InputError if the start gains give no reference for the objective or for a criterion.
+/// journal: as in tune().
 ParetoResult pareto(const Study& study, const ParetoOptions& options, CandidateRunner& workers,
                     const std::atomic<bool>& stop, const ParetoCallbacks& callbacks,
                     Journal* journal = nullptr);
 
-/// Computes the front, the hypervolume and the best point of each level from feasible points. Keeps the start
-/// and the levels.
+/// Sets the front, the hypervolume and the best point of each level, computed from feasible points. Levels
+/// whose limits no point keeps are removed. The start is not changed.
 void settle(ParetoResult& result, const std::vector<ParetoPoint>& points);
 
-/// Simulates the front again in Simbody, with `workers` that did not search, and replaces the results. Throws
-/// FailedError if a result differs from the search's: at all if the search used Simbody too, else by more
-/// than a small tolerance. Points that another engine found are judged again and may leave the front. Returns
-/// false if `stop` became true before it ended.
+/// Simulates all points of the front again in Simbody, and replaces the results. `workers` must not have been
+/// used in the search. If the search used Simbody, throws FailedError if any cost differs from that of the
+/// search, or if a point is no longer feasible. If the search used another engine, throws FailedError only if
+/// a cost differs by more than a small tolerance. Points that are then infeasible or dominated are removed
+/// from the front. Returns false if `stop` became true before all points were simulated.
 bool verify(const Study& study, const Objective& objective, const ParetoOptions& options,
             ParetoResult& result, CandidateRunner& workers, const std::atomic<bool>& stop);
 

@@ -31,7 +31,8 @@ std::vector<Column> pareto_columns(const Study& study, const ParetoOptions& opti
   add("point", "1", "number of the point; its gains are in points/");
   add("kind", "", "front: a point that no other point dominates; start: the study's start gains");
   add("evaluation", "1", "number of the point in evaluations.csv");
-  add("dominates_start", "1", "1 if the point is better than the start in a criterion and worse in none");
+  add("dominates_start", "1",
+      "1 if the point is better than the start in at least one criterion and worse in none");
   for (const Criterion& c : options.criteria) {
     add(c.name(), c.unit(),
         c.metric ? fmt::format("{}; worst value of all scenarios", field(*c.metric).meaning)

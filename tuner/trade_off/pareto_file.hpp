@@ -15,8 +15,8 @@ std::vector<Column> pareto_columns(const Study& study, const ParetoOptions& opti
 /// gains. Numbers read back bit-identical.
 std::string pareto_csv(const Study& study, const ParetoOptions& options, const ParetoResult& result);
 
-/// Returns a table for terminals: the best point under each level, the start, the number of points that
-/// dominate the start, and the hypervolume.
+/// Returns a table for terminals. It shows the best point of each level, the two ends of the front, and the
+/// start. Lines below it give the number of points that dominate the start, and the hypervolume.
 std::string pareto_table(const Study& study, const ParetoOptions& options, const ParetoResult& result);
 
 /// Returns the name of the file with a point's gains, below the run's folder: "points/07.yaml".

@@ -52,8 +52,10 @@ bool verify(const Study& study, const Objective& objective, const ParetoOptions&
                                     seen.costs[other]));
     }
     if (same_engine && !point.e.feasible) {
-      throw FailedError(fmt::format("simulating evaluation {} again breaks a constraint that it kept before",
-                                    seen.evaluation));
+      throw FailedError(
+          fmt::format("evaluation {} kept all constraints at first, but breaks one when it is "
+                      "simulated again",
+                      seen.evaluation));
     }
     if (point.e.feasible) verified.push_back(std::move(point));
   }

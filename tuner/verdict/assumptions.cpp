@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/control/laws/first_gains.hpp"
+#include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/velocity_drive.hpp"
 #include "core/robot/friction.hpp"
@@ -32,7 +33,8 @@ std::string rotors_text(const RobotModel& robot) {
     return fmt::format("{} has no rotor inertia, because its file gives none", robot.name);
   }
   return fmt::format(
-      "{} of {} without rotor inertia, because its file gives none, and the other joints as in the file",
+      "no rotor inertia for {} of {}, because the file gives none there, and the file's values for the "
+      "other joints",
       fmt::join(without, ", "), robot.name);
 }
 
@@ -69,6 +71,11 @@ void add_engine_assumption(Engine engine, const std::string& which, SimulationVe
 
 void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
                                SimulationVerdict& verdict) {
+  if (gains.controller == kJointImpedance)
+    add_once(
+        "joint_impedance as docs/joint_impedance.md describes it: it runs at the scenarios' control period, "
+        "and the torque that holds the arm is the controller's own",
+        verdict.assumes);
   if (!is_joint_trajectory_controller(gains.controller)) return;
   for (const Scenario& scenario : scenarios) {
     const RobotModel& robot = *scenario.robot;
@@ -76,8 +83,8 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
       add_once(
           robot.drive_velocity_gain.size() > 0
               ? fmt::format("the drives of {} have the velocity loops that its file gives", robot.name)
-              : fmt::format("the drives of {} have velocity loops with a rate of {:.0f} /s, because its file "
-                            "gives none",
+              : fmt::format("the drives of {} have velocity loops with a bandwidth of {:.0f} rad/s, because "
+                            "its file gives none",
                             robot.name, kDriveRate),
           verdict.assumes);
     if (robot.compensates_gravity)
@@ -101,7 +108,7 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
       add_once(fmt::format("the file of {} is correct, although it looks wrong: {}", robot.name, doubt),
                verdict.assumes);
     if (scenario.clearance && !scenario.clearance->arm().unknown.empty())
-      add_once(fmt::format("the missing or unreadable shapes of {} of {} touch nothing",
+      add_once(fmt::format("nothing touches {} of {}, because the shapes there are missing or unreadable",
                            fmt::join(scenario.clearance->arm().unknown, ", "), robot.name),
                verdict.assumes);
     if (scenario.clearance) {

@@ -169,7 +169,7 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
   if (compared) {
     verdict.checks.push_back(std::move(growth));
   } else {
-    add_once(named("growth of errors (no scenario completed with errors to compare)", set),
+    add_once(named("error growth (no scenario completed with errors in its first and its last minutes)", set),
              verdict.not_checked);
   }
 }

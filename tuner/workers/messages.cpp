@@ -64,7 +64,7 @@ void make_room(Gains& gains, const GainField& field, std::uint64_t count) {
 
 Gains read_gains(ByteReader& reader) {
   Gains gains;
-  become(gains, reader.text(), 0);
+  change_controller(gains, reader.text(), 0);
   gains.own.clear();
   for (const GainField& field : fields_of(gains)) {
     const std::uint64_t first = reader.integer();

@@ -99,8 +99,8 @@ class RankWorker final : public RolloutWorker {
   FailedError hung(double seconds) {
     peer_.lost = true;
     return FailedError(fmt::format(
-        "rank {} on {} has not answered for {:.0f} s ({}): it hangs, because a slow rank would have reported "
-        "after {} s that its --rollout-deadline has passed",
+        "rank {} on {} has not answered for {:.0f} s ({}); it hangs: a rank that is only slow reports after "
+        "{} s that its --rollout-deadline has passed",
         peer_.rank, peer_.host, seconds, what(), longest()));
   }
 

@@ -1,8 +1,8 @@
 #pragma once
 // The interface of control laws that are templates over their scalar type T. They compute one arm with
 // T = double, or W arms at once with T = Pack<W> (core/common/pack.hpp). The torques of every arm are
-// bit-identical in both cases. To serve several arms, a law selects between results
-// (core/common/select.hpp) where code for one arm would branch.
+// bit-identical in both cases. Where code for one arm would branch, such a law computes both results and
+// selects one of them for each arm (core/common/select.hpp).
 
 #include <memory>
 #include <type_traits>
@@ -14,7 +14,7 @@
 
 namespace armtune::internal {
 
-/// The laws that are templates of this kind.
+/// The laws that exist as such templates.
 enum class ArmLawKind { kAdaptive, kComputedTorque, kJointPd, kImpedance };
 
 /// The inputs of such a law in one control period.

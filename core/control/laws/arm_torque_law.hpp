@@ -10,8 +10,8 @@
 
 namespace armtune::internal {
 
-/// Returns the start values of such a template for these gains. own: storage for pointers to the gains that
-/// only this kind of controller has. own, gains and theta must outlive the result.
+/// Returns the start values of a law that is such a template, for these gains. own: storage for pointers to
+/// the gains that only this kind of controller has. own, gains and theta must outlive the result.
 LawNumbers law_numbers(const Gains& gains, const ParameterVector& theta, double period,
                        std::vector<const double*>& own);
 

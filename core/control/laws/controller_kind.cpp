@@ -14,6 +14,7 @@
 #include "core/control/laws/computed_torque_law.hpp"
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/impedance_law.hpp"
+#include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_pd_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
 
@@ -111,6 +112,7 @@ Registry& registry() {
     add(joint_pd_controller(), built_in);
     add(computed_torque_controller(), built_in);
     add(impedance_controller(), built_in);
+    add(joint_impedance_controller(), built_in);
     add(joint_trajectory_controller(), built_in);
     add(joint_trajectory_velocity_controller(), built_in);
     return built_in;
@@ -203,7 +205,7 @@ JointVector& own(Gains& gains, const std::string& name) {
   return gains.own[place_of(gains, name)];
 }
 
-void become(Gains& gains, const std::string& name, int n) {
+void change_controller(Gains& gains, const std::string& name, int n) {
   const ControllerKind& kind = controller_kind(name);
   const Gains nothing = without_law();
   gains.controller = name;
@@ -222,11 +224,11 @@ void become(Gains& gains, const std::string& name, int n) {
   }
 }
 
-Gains controlled_by(const ControllerKind& kind, const Gains& gains, const RobotModel& robot,
+Gains convert_gains(const ControllerKind& kind, const Gains& gains, const RobotModel& robot,
                     const JointVector& q) {
   if (kind.name == gains.controller) return gains;
   Gains other = gains;
-  become(other, kind.name, robot.n());
+  change_controller(other, kind.name, robot.n());
   const auto uses = [&kind](const char* name) {
     return std::find(kind.uses.begin(), kind.uses.end(), name) != kind.uses.end();
   };

@@ -41,12 +41,13 @@ GainField own_gain(GainShape shape, const char* name, const char* unit, const ch
 GainField positive(GainField gain);
 /// Returns the same gain, but it is not multiplied to find the gain margin: a length, an angle, a scale.
 GainField not_in_loop(GainField gain);
-/// Returns the same gain, also left unchanged by a tuning search, unless a study names it.
+/// Returns the same gain, but a search leaves it unchanged unless a study names it, and it is not multiplied
+/// to find the gain margin.
 GainField not_tuned(GainField gain);
 
-/// Adds a kind, before anything is loaded. Throws InputError if its name or that of a gain is taken or not
-/// allowed, if it has no law, if a gain's default or search factors are out of range, or if `uses` names a
-/// gain that does not belong to a law.
+/// Adds a kind. It must be called before anything is loaded. Throws InputError if the name of the kind or of
+/// a gain is taken or not allowed, if the kind has no law, if a gain's default or search factors are out of
+/// range, or if `uses` names a gain that does not belong to a law.
 void register_controller(ControllerKind kind);
 
 /// Returns a kind by name. Throws InputError with the names of all kinds if there is none.
@@ -69,12 +70,12 @@ JointVector& own(Gains& gains, const std::string& name);
 
 /// Changes gains to those of another kind, for an arm of n joints. Gains that the new kind does not have get
 /// values without effect, and its own gains get the defaults of own_gain.
-void become(Gains& gains, const std::string& name, int n);
+void change_controller(Gains& gains, const std::string& name, int n);
 
-/// Returns the gains converted for another kind. Gains that both kinds have are kept, but a kind that does
-/// not adapt its model gets at least some Ki. The others start from the arm's inertia. q (n): joint positions
-/// on the task.
-Gains controlled_by(const ControllerKind& kind, const Gains& gains, const RobotModel& robot,
+/// Returns the gains converted for another kind. Gains that both kinds have are kept. The others get start
+/// values for the arm (first_gains.hpp, ControllerKind::start). If the new kind uses Ki and does not adapt
+/// its model, a smaller Ki is raised to kFirstIntegralShare Kp^2. q (n): joint positions on the task.
+Gains convert_gains(const ControllerKind& kind, const Gains& gains, const RobotModel& robot,
                     const JointVector& q);
 
 }  // namespace armtune::internal

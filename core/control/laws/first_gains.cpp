@@ -26,6 +26,12 @@ JointVector joint_inertia(const RobotModel& robot, const JointVector& q) {
   return JointMatrix(mass_with_rotors(robot, q).inverse()).diagonal().cwiseInverse();
 }
 
+void critically_damped(const RobotModel& robot, const JointVector& q, JointVector& stiffness,
+                       JointVector& damping) {
+  damping = kFirstRate * joint_inertia(robot, q);
+  stiffness = 0.25 * kFirstRate * damping;
+}
+
 Vec6 task_inertia(const RobotModel& robot, const JointVector& q) {
   Poses poses;
   forward_kinematics(robot.chain, q, poses);
@@ -47,6 +53,11 @@ void first_references(Gains& gains) {
   if (!gains.task_space_gains_p.isZero(0.0)) return;
   gains.task_space_gains_p.setConstant(kFirstTaskRate);
   gains.task_space_gains_i.setConstant(kFirstTaskIntegral);
+}
+
+void without_velocity_limits(Gains& gains) {
+  gains.velocity_margin = 0.0;
+  gains.velocity_barrier_gain = 0.0;
 }
 
 }  // namespace armtune::internal

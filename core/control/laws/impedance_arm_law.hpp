@@ -1,7 +1,7 @@
 #pragma once
 // Cartesian impedance, as a template for one arm or several at once (arm_law.hpp). The torque is
-//   Y theta - J^T (K dx + D (x' - xd'))
-// along the desired motion, with dampers in the joints. For the symbols see impedance_law.hpp.
+//   Y theta - J^T (K dx + D (x' - xd')) - B S,
+// where B S is the torque of dampers in the joints. impedance_law.hpp explains the law and its symbols.
 
 #include "core/control/laws/model_arm_law.hpp"
 

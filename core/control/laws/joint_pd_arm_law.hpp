@@ -22,7 +22,7 @@ class JointPdArmLawT final : public ModelArmLawT<T> {
   }
 
   void torque(const LawPeriodT<T>& at, JointVectorT<T>& tau) override {
-    // An obstacle's repulsion must move the arm, not stretch a spring.
+    // While an obstacle repels the arm, q_ref follows the arm. Otherwise P would pull the arm back.
     const MaskT<T> from_here = this->either(at.yields, fresh_ > T(0.0));
     fresh_ = T(0.0);
     this->model_torque(at, rest_, rest_, rest_, tau);
@@ -33,7 +33,8 @@ class JointPdArmLawT final : public ModelArmLawT<T> {
     }
   }
 
-  /// Advances the joint reference. While a joint is saturated it stops, since it would only run ahead.
+  /// Advances the joint reference q_ref. While a joint is saturated, q_ref stops, because it would otherwise
+  /// run ahead of the arm.
   void conclude(const LawPeriodT<T>& /*at*/, const MaskT<T>& learning) override {
     for (Eigen::Index i = 0; i < step_.size(); ++i) {
       q_reference_[i] = select(learning, q_reference_[i] + step_[i], q_reference_[i]);

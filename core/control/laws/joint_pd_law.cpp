@@ -28,11 +28,8 @@ ControllerKind joint_pd_controller() {
            own_gain(kJoints, "joint_pd_d", "N m s/rad", "D on the velocity error of each joint", 20.0)},
           [](const LawSetup& setup) { return make_torque_law(ArmLawKind::kJointPd, setup); },
           [](const RobotModel& robot, const JointVector& q, Gains& gains) {
-            // Critically damped, poles at half the rate, for each joint with the others free.
-            const JointVector inertia = joint_inertia(robot, q);
-            const JointVector D = kFirstRate * inertia;
-            own(gains, "joint_pd_p") = 0.25 * kFirstRate * D;
-            own(gains, "joint_pd_d") = D;
+            JointVector& D = own(gains, "joint_pd_d");
+            critically_damped(robot, q, own(gains, "joint_pd_p"), D);
             // Where joints move each other it is slower, and the task's loop around it has to be slower
             // still.
             const Vec6 Kp = gains.task_space_gains_p.cwiseMin(kOuterShare * slowest_rate(robot, q, D));

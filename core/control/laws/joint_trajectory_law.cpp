@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/control/laws/desired_joints.hpp"
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/ros_pid.hpp"
 #include "core/control/laws/velocity_drive.hpp"
@@ -32,7 +33,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
         feeds_forward_(jtc_gain(setup.gains, "ff_velocity_scale")),
         held_by_robot_(setup.model.compensates_gravity),
         period_(setup.period),
-        step_(JointVector::Zero(setup.model.n())) {
+        desired_(setup.model.n(), setup.period) {
     if (setup.gains.controller == kJointTrajectoryVelocityController) drives_.emplace(setup.model);
     const JointVector& clamp = jtc_gain(setup.gains, "i_clamp");
     const bool winds_up = jtc_gain(setup.gains, "antiwindup")[0] == 0.0;
@@ -50,7 +51,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
   }
 
   void torque(const LawInput& in, JointVector& tau) override {
-    const MotionPoint<JointVector> desired = desired_motion(in);
+    const MotionPoint<JointVector> desired = desired_.next(in);
     const bool ahead = in.control.state == ControlState::kFollowPlan && !feeds_forward_.isZero(0.0);
     const JointVector next = ahead ? in.scene.plan->at(in.time + period_).velocity : desired.velocity;
     command_.resize(feeds_forward_.size());
@@ -79,27 +80,6 @@ class JointTrajectoryLaw final : public TorqueLaw {
     if (held_by_robot_) tau += weight_;
   }
 
-  /// What a trajectory has in this period. In states that follow none: the references, integrated from where
-  /// the arm was.
-  MotionPoint<JointVector> desired_motion(const LawInput& in) {
-    const ControlOutput& control = in.control;
-    if (control.state == ControlState::kFollowPlan) {
-      // Which is held where a task's references take over.
-      reference_ = control.planned.position;
-      step_.setZero();
-      follows_ = true;
-      return control.planned;
-    }
-    // An obstacle's repulsion is to move the arm, not to stretch a spring.
-    if (!follows_ || control.state == ControlState::kAvoidObstacles)
-      reference_ = in.measured.q;
-    else
-      reference_ += step_;
-    follows_ = true;
-    step_ = period_ * control.reference.velocity;
-    return {reference_, control.reference.velocity, control.reference.acceleration};
-  }
-
   std::array<RosPidGains, kMaxJoints> gains_{};
   std::array<RosPid, kMaxJoints> pids_{};
   std::array<bool, kMaxJoints> turns_{};  ///< joint without position limits
@@ -110,8 +90,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
   bool held_by_robot_;  ///< its weight, as its own model has it
   JointVector weight_;
   double period_;
-  JointVector reference_, step_;
-  bool follows_ = false;  ///< references, in the last period
+  DesiredJoints desired_;
 };
 
 /// Its own gains: units of an effort, or of a velocity that is commanded.
@@ -143,12 +122,6 @@ std::unique_ptr<TorqueLaw> make_law(const LawSetup& setup) {
   return std::make_unique<JointTrajectoryLaw>(setup);
 }
 
-/// It has neither.
-void leave_out_velocity_limits(Gains& gains) {
-  gains.velocity_margin = 0.0;
-  gains.velocity_barrier_gain = 0.0;
-}
-
 }  // namespace
 
 bool is_joint_trajectory_controller(const std::string& kind) {
@@ -175,12 +148,9 @@ ControllerKind joint_trajectory_controller() {
                  100.0, 10.0),
       make_law,
       [](const RobotModel& robot, const JointVector& q, Gains& gains) {
-        // Critically damped, poles at half the rate, for each joint with the others free.
-        const JointVector d = kFirstRate * joint_inertia(robot, q);
-        own(gains, "jtc_d") = d;
-        own(gains, "jtc_p") = 0.25 * kFirstRate * d;
+        critically_damped(robot, q, own(gains, "jtc_p"), own(gains, "jtc_d"));
         own(gains, "jtc_i") = kIntegralRate * own(gains, "jtc_p");
-        leave_out_velocity_limits(gains);
+        without_velocity_limits(gains);
       }};
 }
 
@@ -192,7 +162,7 @@ ControllerKind joint_trajectory_velocity_controller() {
           jtc_fields(kJointTrajectoryVelocityController, {"1/s", "1/s^2", "1", "rad/s", "1"},
                      kOuterRate * kDriveRate, 0.0),
           make_law,
-          [](const RobotModel&, const JointVector&, Gains& gains) { leave_out_velocity_limits(gains); }};
+          [](const RobotModel&, const JointVector&, Gains& gains) { without_velocity_limits(gains); }};
 }
 
 }  // namespace armtune::internal

@@ -22,16 +22,16 @@ JointVector& jtc_gain(Gains& gains, const std::string& what);
 
 /// Makes the kind with effort commands. Each joint has a PID on its errors along the desired motion, and a
 /// share of the desired velocity:
-///   tau_i = p e_i + clamp(i integral of e_i, +-i_clamp) + d e_i' + ff_velocity_scale qd_i'(t + period),
-///   e = qd - q.
-/// The law has no model of the arm, not even of its weight; a robot with compensates_gravity adds that.
-/// Source: ros2_controllers, branch `jazzy` (16 August 2026); `humble` takes the desired velocity of t. For
-/// the integral see ros_pid.hpp.
+///   tau_i = p e_i + clamp(i int(e_i), +-i_clamp) + d e_i' + ff_velocity_scale qd_i'(t + period),
+///   e = qd - q,   qd: desired positions.
+/// The law has no model of the arm and does not compensate its weight. A robot with compensates_gravity adds
+/// the torque for the weight itself. Source: ros2_controllers, branch `jazzy` (16 August 2026). The branch
+/// `humble` uses the desired velocity at t instead of t + period. For the integral see ros_pid.hpp.
 ControllerKind joint_trajectory_controller();
 
 /// Makes the kind with velocity commands. The output of the PID is a velocity, which the joints' drives
-/// follow (velocity_drive.hpp). The drives start with the torque that holds the arm, from the controller's
-/// model of it, unless the robot compensates gravity.
+/// follow (velocity_drive.hpp). At the start, the drives give the torque that holds the arm, computed with
+/// the controller's model of the arm. If the robot compensates gravity, they start without this torque.
 ControllerKind joint_trajectory_velocity_controller();
 
 }  // namespace armtune::internal

@@ -18,7 +18,7 @@ enum class AntiWindup {
   /// Jazzy's `none`: the integral is used unchanged, then it grows, then it is clamped.
   kNone,
   /// Jazzy's `conditional_integration`: as kNone, but the integral stops while the output is saturated and
-  /// the error has the output's sign.
+  /// the error has the sign of the output.
   kConditional,
   /// Jazzy's `back_calculation`: as kNone, but the part that saturation cuts off is subtracted from the
   /// integral at the rate 1/tracking_time.
@@ -34,14 +34,14 @@ struct RosPidGains {
   double u_max = std::numeric_limits<double>::infinity();   ///< upper bound of the output; Jazzy only
   double u_min = -std::numeric_limits<double>::infinity();
   AntiWindup anti_windup = AntiWindup::kOfIntegral;
-  double tracking_time = 0.0;  ///< of kBackCalculation [s]; 0: sqrt(d / i), or p / i without d
+  double tracking_time = 0.0;  ///< for kBackCalculation [s]; 0: sqrt(d / i), or p / i if d is 0
   double deadband = 0.0;       ///< errors up to this leave the integral unchanged
 };
 
 class RosPid {
  public:
-  /// Computes the output for an error (desired - measured) and its rate, dt > 0 [s] after the last call. All
-  /// values are finite.
+  /// Computes the output for an error (desired - measured) and its rate. dt: time since the last call, > 0
+  /// [s]. error, error_rate and dt must be finite.
   double output(const RosPidGains& gains, double error, double error_rate, double dt) {
     const bool integrates = std::abs(error) > gains.deadband;
     const double grown = integral_ + gains.i * dt * error;

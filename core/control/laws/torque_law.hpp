@@ -12,8 +12,8 @@
 
 namespace armtune::internal {
 
-/// The data that a law is constructed from. model and gains outlive the law. theta does not and must be
-/// copied, as TorqueLaw does.
+/// The data that a law is constructed from. model and gains outlive the law. theta does not outlive the law
+/// and must be copied; the constructor of TorqueLaw does this.
 struct LawSetup {
   const RobotModel& model;
   const Gains& gains;
@@ -41,8 +41,8 @@ class TorqueLaw {
   TorqueLaw& operator=(const TorqueLaw&) = delete;
   virtual ~TorqueLaw() = default;
 
-  /// Computes the torques (n) [N m, N], to which repulsion, velocity barrier and effort limits are then
-  /// applied. Allocates nothing.
+  /// Computes the torques (n) [N m, N]. The repulsion of obstacles, the velocity barrier and the effort
+  /// limits are applied to them afterwards. Allocates nothing.
   virtual void torque(const LawInput& in, JointVector& tau) = 0;
   /// Is called at the end of every period. learning: true if no joint was saturated and adaptation is wanted.
   virtual void conclude(bool /*learning*/) {}

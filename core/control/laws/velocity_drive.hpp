@@ -1,8 +1,8 @@
 #pragma once
-// A model of joint drives with velocity commands, such as those of industrial arms under a velocity
-// interface. Each drive is a PI controller on its joint's velocity error, within the joint's limits. Makers
-// do not publish how real drives are tuned. If the robot's file gives no values, the velocity loops are
-// assumed to be as fast as kDriveRate.
+// A model of joint drives that take velocity commands, as in industrial arms with a velocity interface. Each
+// drive is a PI controller on its joint's velocity error, within the joint's limits. Manufacturers do not
+// publish the gains of real drives. If the robot's file gives no gains, the errors of the velocity loops are
+// assumed to decay at the rate kDriveRate.
 
 #include "core/robot/robot_model.hpp"
 
@@ -20,20 +20,21 @@ struct DriveGains {
   JointVector integral;  ///< torque per integrated velocity error [N m/rad, N/m]
 };
 
-/// Returns the gains of the robot's file; those that it lacks follow from kDriveRate.
+/// Returns the gains that the robot's file gives. Missing ones are computed from kDriveRate and
+/// kDriveIntegralRate.
 DriveGains drive_gains(const RobotModel& model);
 
 class VelocityDrives {
  public:
   explicit VelocityDrives(const RobotModel& model);
 
-  /// Starts with integrals that give the torques (n) [N m, N] which hold the arm, as drives do when their
-  /// brakes are released.
+  /// Sets the integrals to the given torques (n) [N m, N], which hold the arm at the start. Real drives do
+  /// the same when their brakes are released.
   void hold(const JointVector& torque);
 
-  /// Computes the torques (n) for the commanded velocities (n), clamped to the joints' velocity limits, while
-  /// the joints move at qd (n) [rad/s, m/s]. Advances the integrals by dt [s], within the effort limits.
-  /// Allocates nothing.
+  /// Computes the torques (n) for the commanded velocities (n), which are first clamped to the joints'
+  /// velocity limits. qd (n): velocities of the joints [rad/s, m/s]. Advances the integrals by dt [s], within
+  /// the effort limits. Allocates nothing.
   void torque(const JointVector& commanded, const JointVector& qd, double dt, JointVector& tau);
 
  private:

@@ -21,7 +21,8 @@ std::string unique_path(const char* stream) {
 }
 
 /// In the child: only calls that are safe between fork and exec.
-[[noreturn]] void become(char* const* arguments, const char* folder, const char* out, const char* err) {
+[[noreturn]] void change_controller(char* const* arguments, const char* folder, const char* out,
+                                    const char* err) {
   ::signal(SIGINT, SIG_DFL);  // a shell's background jobs ignore it, and hand that on
   const int out_file = ::open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int err_file = ::open(err, O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -44,7 +45,7 @@ Program::Program(const std::vector<std::string>& arguments, const std::string& f
   pointers.push_back(nullptr);
   pid_ = ::fork();
   if (pid_ < 0) throw std::runtime_error("fork failed");
-  if (pid_ == 0) become(pointers.data(), folder.c_str(), out_path_.c_str(), err_path_.c_str());
+  if (pid_ == 0) change_controller(pointers.data(), folder.c_str(), out_path_.c_str(), err_path_.c_str());
 }
 
 Program::~Program() {

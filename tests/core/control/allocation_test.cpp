@@ -123,7 +123,7 @@ TEST_F(Allocation, NeverHappensWithEveryOptionOn) {
 TEST_F(Allocation, NeverHappensUnderAnyController) {
   for (const ControllerKind* kind : controller_kinds()) {
     test::Rig rig = moving_rig();
-    rig.gains = controlled_by(*kind, rig.gains, *rig.model, rig.goal().q);
+    rig.gains = convert_gains(*kind, rig.gains, *rig.model, rig.goal().q);
     const Drive drive(rig, theta_of(rig.model->chain), 0.0);
     EXPECT_EQ(drive.allocations, 0) << kind->name;
     for (const int visits : drive.visits) EXPECT_GT(visits, 50) << kind->name;

@@ -23,7 +23,7 @@ class Period {
          TaskMask task_mask = TaskMask::kPose)
       : model(robot), mask(task_mask), generator_(seed), theta_(theta_of(robot.chain)) {
     const int n = model.n();
-    become(gains, kind, n);
+    change_controller(gains, kind, n);
     for (JointVector& own : gains.own)
       own = random_vector(generator_, static_cast<int>(own.size()), 50.0).cwiseAbs();
     Kd = random_vector(generator_, n, 50.0).cwiseAbs();

@@ -309,7 +309,7 @@ TEST(ControllerFile, WithVelocityCommandsIsAKindOfItsOwn) {
     const std::string changed = with_gains(text, controller, "f.yaml", gains, j1);
     EXPECT_THAT(changed, HasSubstr("{p: 7.25, i: 0.5,"));
     EXPECT_EQ(without_numbers(changed), without_numbers(text));
-    become(gains, "joint_trajectory_controller", 1);
+    change_controller(gains, "joint_trajectory_controller", 1);
     EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, j1); }),
                 HasSubstr("c is a joint_trajectory_controller_velocity"));
   }

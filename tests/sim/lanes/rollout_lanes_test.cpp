@@ -217,7 +217,7 @@ TEST_P(RolloutLanesOf, AreTheRolloutsAlone) {
       Gains quick = load_gains(arm, joint_names(*scenario.robot));
       quick.joint_trajectory_duration = 2.0;
       const JointVector goal = in_si(*scenario.robot, with_goal(quick, scenario).joint_space_goal);
-      Gains gains = controlled_by(controller_kind(GetParam()), quick, *scenario.robot, goal);
+      Gains gains = convert_gains(controller_kind(GetParam()), quick, *scenario.robot, goal);
       scale_loop_gains(gains, 1.0 - 0.1 * i);
       jobs.push_back(job_of(scenario, gains));
     }
@@ -230,7 +230,7 @@ TEST_P(RolloutLanesOf, AreTheRolloutsAlone) {
 TEST_P(RolloutLanesOf, TheGainsMatter) {
   Scenario scenario = scenario_of("moving_target", 6.0);
   scenario.theta.model_scale = 1.0;
-  Gains gains = controlled_by(controller_kind(GetParam()), quick_gains(scenario), *scenario.robot,
+  Gains gains = convert_gains(controller_kind(GetParam()), quick_gains(scenario), *scenario.robot,
                               scenario.start_position);
   ASSERT_TRUE(lane_law(gains).has_value());
   const LaneJob as_it_is = job_of(scenario, gains);
@@ -254,7 +254,7 @@ TEST(RolloutLanes, StartOnlyWhatIsOfTheirKind) {
   EXPECT_EQ(lanes.busy(), 1);
   EXPECT_EQ(lanes.free_lane(), 0);
   Gains of_another_law = quick_gains(scenario);
-  become(of_another_law, "joint_pd", scenario.robot->n());
+  change_controller(of_another_law, "joint_pd", scenario.robot->n());
   EXPECT_THROW(lanes.start(lanes.free_lane(), job_of(scenario, of_another_law)), InputError);
   EXPECT_THROW(lanes.start(1, job_of(scenario, quick_gains(scenario))), InputError);
   EXPECT_EQ(lanes.busy(), 1);

@@ -19,7 +19,7 @@ using test::Job;
 /// The job's gains for another controller; the joint goal is on the task.
 Gains for_kind(const ControllerKind& kind, const Job& job) {
   const RobotModel& robot = *job.scenario.robot;
-  return controlled_by(kind, job.gains, robot, in_si(robot, job.gains.joint_space_goal));
+  return convert_gains(kind, job.gains, robot, in_si(robot, job.gains.joint_space_goal));
 }
 
 class Controllers : public testing::TestWithParam<const char*> {
@@ -77,7 +77,7 @@ TEST_P(Controllers, DoTheFirstTaskOfEveryBundledRobotWithTheirStartingGains) {
   for (const char* name : {"ur10", "panda", "youbot"}) {
     const auto robot = load_robot(name);
     const DefaultTask task = default_task(robot);
-    const Gains gains = controlled_by(
+    const Gains gains = convert_gains(
         kind(), starting_gains(*robot, task.scenario.start_position, task.goal, task.manipulability), *robot,
         task.goal);
     const RolloutResult result = Rollout(task.scenario, Stepper::kMidpoint, Engine::kNative).run(gains);

@@ -127,7 +127,7 @@ TEST(Divergence, NoDampingIsBlamedOfALawWithoutKd) {
   const Scenario scenario = light_last_joint();
   for (const ControllerKind* kind : controller_kinds()) {
     Gains gains = quick_gains(scenario);
-    become(gains, kind->name, 6);
+    change_controller(gains, kind->name, 6);
     const Controller controller(scenario.robot, gains, ParameterVector::Zero(78), scenario.control_period);
     EXPECT_EQ(controller.Kd() != nullptr, kind->name == "adaptive") << kind->name;
   }

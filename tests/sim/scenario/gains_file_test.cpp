@@ -107,7 +107,7 @@ TEST_F(GainsFile, GainsOfEveryControllerReadBackToTheBit) {
     Gains gains = load_gains("published", kJoints);
     const auto arm = test::scenario_of("moving_target").robot;
     const RobotModel& robot = *arm;
-    gains = controlled_by(*kind, gains, robot, in_si(robot, gains.joint_space_goal));
+    gains = convert_gains(*kind, gains, robot, in_si(robot, gains.joint_space_goal));
     double next = 0.7;
     for (JointVector& own : gains.own) {
       for (double& value : own) value = next += 1.0 / 3.0;

@@ -59,9 +59,9 @@ TEST(KeptLimits, AnEarlyEndIsTheFateOfTheWholeRollout) {
 
 TEST(KeptLimits, WhatIsLostIsNamed) {
   EXPECT_THAT(lost_limits(with(Metric::kJointEffortMaxRatio, 0.95), 0.9),
-              testing::HasSubstr("0.9 of its effort limit"));
+              testing::HasSubstr("0.9 of the joint's effort limit"));
   EXPECT_THAT(lost_limits(with(Metric::kJointVelocityMaxRatio, 0.95), 0.9),
-              testing::HasSubstr("0.9 of its velocity limit"));
+              testing::HasSubstr("exceeds 0.9 of its limit"));
   EXPECT_THAT(lost_limits(with(Metric::kJointPositionMinMargin, -0.1), 0.9),
               testing::HasSubstr("position limits"));
   EXPECT_THAT(lost_limits(with(Metric::kClearanceFloor, -0.1), 0.9), testing::HasSubstr("the floor"));

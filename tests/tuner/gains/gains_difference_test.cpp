@@ -70,7 +70,7 @@ TEST_F(GainsDifference, OneNumberPerForcePointIsTheSameAsAListOfEqualOnes) {
 }
 
 TEST_F(GainsDifference, AGainThatAControllerHasNotIsADash) {
-  const Gains other = controlled_by(controller_kind("joint_pd"), published_, robot_,
+  const Gains other = convert_gains(controller_kind("joint_pd"), published_, robot_,
                                     in_si(robot_, published_.joint_space_goal));
   const std::string table = gains_difference({{"a", published_}, {"b", other}}, joints_);
   EXPECT_THAT(table, ContainsRegex("controller +adaptive +joint_pd"));

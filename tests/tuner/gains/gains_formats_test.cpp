@@ -42,7 +42,7 @@ class GainsFormats : public testing::Test {
     std::vector<GainsFile> made;
     for (const ControllerKind* kind : controller_kinds()) {
       GainsFile file = published();
-      file.gains = controlled_by(*kind, file.gains, robot(), in_si(robot(), file.gains.joint_space_goal));
+      file.gains = convert_gains(*kind, file.gains, robot(), in_si(robot(), file.gains.joint_space_goal));
       for (const GainField& field : fields_of(file.gains)) {
         for (double& x : numbers(file.gains, field)) {
           x = std::pow(10.0, exponent(generator_));

@@ -203,7 +203,7 @@ TEST_F(Logs, WhatIsNoWholeLogIsRefusedWithItsPlace) {
               AllOf(HasSubstr("log.csv:3:"), HasSubstr("'q2'"), HasSubstr("2x")));
   EXPECT_THAT(
       refused(head + "0,1,2,3,4\n1,1,2,1e200,4\n"),
-      AllOf(HasSubstr("log.csv:3:"), HasSubstr("'tau1'"), HasSubstr("1e+200"), HasSubstr("beyond 1e+09")));
+      AllOf(HasSubstr("log.csv:3:"), HasSubstr("'tau1'"), HasSubstr("1e+200"), HasSubstr("exceeds 1e+09")));
   EXPECT_THAT(refused(head + "0,1,2,3,4\n0,1,2,3,4\n"), AllOf(HasSubstr("log.csv:3:"), HasSubstr("'t'")));
   EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n2,1,2,3,4\n4,1,2,3,4\n5,1,2,3,4\n"),
               AllOf(HasSubstr("log.csv:5:"), HasSubstr("step")));

@@ -87,9 +87,9 @@ TEST(InterfaceOfControllers, ALawGivesTheRolloutOfTheSameLawInside) {
   scenario.theta.model_scale = 1.0;  // a law that learns nothing has to know the arm
   internal::Gains gains = internal::test::quick_gains(scenario);
   const int n = scenario.robot->n();
-  internal::become(gains, "outside", n);
+  internal::change_controller(gains, "outside", n);
   const auto outside = internal::Rollout(scenario, internal::Stepper::kMidpoint).run(gains);
-  internal::become(gains, "inside", n);
+  internal::change_controller(gains, "inside", n);
   const auto inside = internal::Rollout(scenario, internal::Stepper::kMidpoint).run(gains);
   EXPECT_EQ(outside.status, internal::RolloutStatus::kCompleted);
   EXPECT_EQ(outside.metrics[internal::Metric::kPositionMax], inside.metrics[internal::Metric::kPositionMax]);
@@ -108,7 +108,7 @@ TEST(InterfaceOfControllers, StartsFromWhatTheInertiaAsks) {
   register_both();
   const internal::Scenario scenario = internal::test::scenario_of("moving_target", 6.0);
   const internal::JointVector& q = scenario.start_position;
-  const internal::Gains gains = internal::controlled_by(
+  const internal::Gains gains = internal::convert_gains(
       internal::controller_kind("outside"), internal::test::quick_gains(scenario), *scenario.robot, q);
   const std::vector<double> inertia =
       joint_inertia(Robot(scenario.robot), {q.data(), static_cast<std::size_t>(q.size())});
@@ -132,7 +132,7 @@ TEST(InterfaceOfControllers, VectorsOfOtherSizesAreRefused) {
   register_controller(wrong);
   internal::Scenario scenario = internal::test::scenario_of("moving_target", 1.0);
   internal::Gains gains = internal::test::quick_gains(scenario);
-  internal::become(gains, "wrong_sizes", scenario.robot->n());
+  internal::change_controller(gains, "wrong_sizes", scenario.robot->n());
   EXPECT_THROW(internal::Rollout(scenario, internal::Stepper::kMidpoint).run(gains), InputError);
 }
 

@@ -61,7 +61,7 @@ TEST(RecordingMemory, IsRefusedWithTheScenarioItsSizeAndAStrideThatFits) {
       test::refusal([&] { require_recording_memory(scenarios, 5, 1, RecordingUse::kWritten, usable); });
   EXPECT_THAT(message, AllOf(HasSubstr("longer"), HasSubstr("GB"), HasSubstr("--record-every"),
                              HasSubstr(scenarios[1].source)));
-  const std::string before = " only every ";
+  const std::string before = " only one in ";
   const std::size_t at = message.find(before);
   ASSERT_NE(at, std::string::npos) << message;
   const int stride = std::stoi(message.substr(at + before.size()));

@@ -133,7 +133,7 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
   RobotModel robot = *scenario.robot;
   robot.chain.rotor_inertia[5] = 0.0;
   scenario.robot = std::make_shared<const RobotModel>(robot);
-  EXPECT_THAT(assumed(), HasSubstr("wrist_3_joint of ur10 without rotor inertia"));
+  EXPECT_THAT(assumed(), HasSubstr("no rotor inertia for wrist_3_joint of ur10"));
   robot.chain.rotor_inertia.setZero();
   scenario.robot = std::make_shared<const RobotModel>(robot);
   EXPECT_THAT(assumed(), HasSubstr("ur10 has no rotor inertia"));
@@ -250,7 +250,7 @@ TEST(EnduranceChecks, FailForALimitAndForErrorsThatGrow) {
     add_endurance_checks({nothing}, thresholds, "", verdict);
     ASSERT_EQ(verdict.checks.size(), 1U);
     EXPECT_EQ(verdict.checks[0].kind, CheckKind::kEndurance);
-    EXPECT_THAT(verdict.not_checked, ElementsAre(HasSubstr("growth of errors")));
+    EXPECT_THAT(verdict.not_checked, ElementsAre(HasSubstr("error growth")));
   }
 }
 
@@ -307,7 +307,11 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   gains.controller = "joint_trajectory_controller_velocity";
   add_controller_assumption({test::scenario_of("moving_target")}, gains, verdict);
   EXPECT_THAT(verdict.assumes,
-              ElementsAre(HasSubstr("velocity loops with a rate of 60 /s"), HasSubstr("an empty integral")));
+              ElementsAre(HasSubstr("bandwidth of 60 rad/s"), HasSubstr("an empty integral")));
+  verdict.assumes.clear();
+  gains.controller = "joint_impedance";
+  add_controller_assumption(franka, gains, verdict);
+  EXPECT_THAT(verdict.assumes, ElementsAre(HasSubstr("docs/joint_impedance.md")));
 }
 
 }  // namespace

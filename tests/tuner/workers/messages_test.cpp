@@ -112,7 +112,7 @@ TEST(Messages, AJobOfEveryControllerComesBackWithItsOwnGains) {
   for (const ControllerKind* kind : controller_kinds()) {
     NumberedJob sent = some_job();
     Gains& gains = sent.job.gains;
-    become(gains, kind->name, 6);
+    change_controller(gains, kind->name, 6);
     double next = 0.7;
     for (JointVector& own : gains.own) {
       for (double& value : own) value = next += 1.0 / 3.0;

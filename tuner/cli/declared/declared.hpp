@@ -37,8 +37,8 @@ struct DeclaredProgram {
 
 DeclaredProgram declared(const CLI::App& app, const std::string& name);
 
-/// Returns the folder of bundled data, such as "studies", whose names this option or positional takes; empty
-/// if it takes none.
+/// Returns the folder of bundled data, such as "studies", if the value of the option can be the name of a
+/// file in this folder; otherwise an empty text. The option may be a positional argument.
 std::string bundled_kind(const DeclaredOption& option);
 
 }  // namespace armtune::internal::cli

@@ -1,6 +1,7 @@
 #pragma once
 // Does the work of `armtune excite`: designs a trajectory from whose log an arm's parameters can be
-// identified, or reads one from a file. It then simulates logs of an arm that follows it.
+// identified, or reads a given trajectory from a file. Then simulates an arm that follows the trajectory, and
+// writes the logs that its sensors would record.
 
 #include <memory>
 #include <optional>
@@ -17,8 +18,8 @@ namespace armtune::internal {
 struct ExciteSettings {
   std::string folder;  ///< not empty
   std::shared_ptr<const RobotModel> model;
-  std::vector<Scenario> scenarios;  ///< scenarios of arms with the model's joints: one log each
-  std::string trajectory;           ///< file to read one from; empty: one is designed
+  std::vector<Scenario> scenarios;  ///< one log is simulated in each; their arms have the model's joints
+  std::string trajectory;           ///< file with a given trajectory; empty: one is designed
   ExcitationOptions design;         ///< except its progress, which the session sets
   ExcitationLogOptions log;
 };
@@ -36,7 +37,7 @@ class ExciteObserver : public SessionObserver {
  public:
   /// Called when the trajectory is written.
   virtual void designed(const ExciteOutcome& /*so_far*/) {}
-  /// Called when a log of it is written.
+  /// Called when a log of the trajectory is written.
   virtual void logged(const Scenario& /*scenario*/, const ExcitationLog& /*log*/) {}
 };
 

@@ -74,7 +74,7 @@ void IdentifySession::write_files() {
   const RobotModel identified = with_theta(model, found.theta);
   std::vector<std::string> header = {
       fmt::format("theta of {}, identified by armtune from {} samples", model.name, found.samples),
-      "to start a scenario's controller from it: `theta_start: {file: theta.yaml}`"};
+      "to start a scenario's controller with this theta: `theta_start: {file: theta.yaml}`"};
   for (const std::string& doubt : doubts) header.push_back("ACCEPTED ALTHOUGH " + doubt);
   write_text_file(folder + "/theta.yaml", theta_yaml(model, found.theta, header));
   write_text_file(folder + "/base_parameters.csv", base_parameters_csv(model, found));

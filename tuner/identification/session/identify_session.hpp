@@ -1,6 +1,6 @@
 #pragma once
 // Does the work of `armtune identify`: estimates theta, an arm's inertial and friction parameters, from logs
-// of its motion. It checks for signs that the logs are of another arm. If a folder is given, it writes the
+// of its motion. Also looks for signs that the logs are of another arm. If a folder is given, writes the
 // results there.
 
 #include <memory>

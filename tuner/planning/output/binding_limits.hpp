@@ -20,15 +20,15 @@ struct BindingLimit {
   double share = 0.0;  ///< share of the knots at which the limit is active
   double first = 0.0;  ///< times of the first and the last of these knots [s]
   double last = 0.0;
-  double value = 0.0;              ///< value farthest beyond the limit, or at it
-  double bound = 0.0;              ///< the limit at that knot
+  double value = 0.0;              ///< the value that is farthest beyond the limit, or nearest to it
+  double bound = 0.0;              ///< the limit, at the knot of this value
   std::string unit;                ///< unit of value and bound
-  double strength = 0.0;           ///< sum of its multipliers: seconds, or cost, gained per unit of relief
+  double strength = 0.0;           ///< sum of its multipliers: seconds or cost saved per unit of relaxation
   std::vector<Stretch> stretches;  ///< in order of time
 };
 
-/// Returns the active limits, the strongest first. Equations of the task (start, goal, a path without
-/// tolerance) are not limits. Limits of less than 1e-4 of the greatest strength are left out.
+/// Returns the active limits, the strongest first. Equations of the task, such as its start, its goal, or a
+/// path without tolerance, are not limits. Limits of less than 1e-4 of the greatest strength are left out.
 std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned);
 
 }  // namespace armtune::internal

@@ -1,7 +1,7 @@
 #pragma once
 // Measures how much of each limit a planned motion uses, at its knots and between them. The planner enforces
-// the limits of torque, tool path, gaze and distances at the knots only. Therefore their use between knots
-// must be measured.
+// the limits of torque, tool path, gaze and distances at the knots only. Therefore the motion may exceed them
+// between knots, and this must be measured.
 
 #include <limits>
 
@@ -33,7 +33,7 @@ struct LimitUse {
 std::vector<LimitUse> limit_uses(const PlanTask& task, const PlanProblem& problem,
                                  const PlannedTrajectory& planned);
 
-/// The largest use between knots of the limits of one kind, such as "torque" or "distance".
+/// The largest use, between knots, of all limits of one kind, such as "torque" or "distance".
 struct WorstUse {
   const LimitUse* use = nullptr;  ///< one of the uses that were given; null: no limit of this kind
   double between = 0.0;

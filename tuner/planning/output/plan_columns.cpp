@@ -93,7 +93,8 @@ std::vector<PlanColumn> trajectory_columns(const PlanTask& task, const RobotMode
   columns.add_joints(robot, false);
   if (task.kind == PlanKind::kFastest) {
     columns.add("path/coordinate", "s",
-                "path coordinate: time that the scenario's own motion takes to this point",
+                "path coordinate: time that the scenario's desired motion takes from the start of the task "
+                "to this point",
                 [](const PlanSample& at) { return at.s; });
   }
   return columns.take();

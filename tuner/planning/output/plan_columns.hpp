@@ -18,8 +18,8 @@ struct PlanColumn {
 /// exactly from these rows.
 std::vector<PlanColumn> trajectory_columns(const PlanTask& task, const RobotModel& robot);
 
-/// Returns the columns of motion.csv, whose rows are evenly spaced in time, for plots. A column that a
-/// rollout has as well bears the same name.
+/// Returns the columns of motion.csv, whose rows are evenly spaced in time, for plots. A column that the CSV
+/// file of a rollout also has bears the same name there.
 std::vector<PlanColumn> motion_columns(const PlanTask& task, const RobotModel& robot);
 
 /// Returns the columns without their values, as columns.csv needs them.

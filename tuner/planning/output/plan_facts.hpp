@@ -1,5 +1,5 @@
 #pragma once
-// Describes the result of a plan in words and figures, for the terminal, run.yaml and the report.
+// Describes the result of a plan in words and numbers, for the terminal, run.yaml and the report.
 
 #include "tuner/planning/output/limit_use.hpp"
 
@@ -9,13 +9,14 @@ namespace armtune::internal {
 /// over 10 s within the limits: tool at most 0.0021 mm off its path, ...".
 std::string plan_headline(const PlanTask& task, const PlanProblem& problem, const PlannedTrajectory& planned);
 
-/// Returns remarks on the headline, one sentence each: how much smoothness costs, an objective of reduced
-/// weight, a plan that ends after the next target switch.
+/// Returns remarks on the headline, one sentence each. They concern an objective that contains much cost of
+/// smoothness, an objective that the solver has multiplied by a small factor, and a plan that ends after the
+/// next target switch.
 std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& problem,
                                     const PlannedTrajectory& planned);
 
 /// Returns a text such as "between the knots: torque of wrist_2_joint at most 1.0020 times its limit...".
-/// It is empty if the task limits nothing of that kind.
+/// The text is empty if the task has no limit that the planner enforces at the knots only.
 std::string between_words(const std::vector<LimitUse>& uses);
 
 /// Returns the keys and values that a plan adds to those that run.yaml has for every run.

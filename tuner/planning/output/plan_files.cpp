@@ -79,7 +79,7 @@ std::vector<Column> limits_columns() {
           {"upper", "", "upper limit of the task; empty if there is none", {}},
           {"from", "s", "time from which the limit applies", {}},
           {"to", "s", "time until which the limit applies", {}},
-          {"at_knots", "1", "largest share of the limit used at any knot; 1 is at the limit", {}},
+          {"at_knots", "1", "largest share of the limit used at any knot; 1: the limit is reached", {}},
           {"between_knots",
            "1",
            "largest share of the limit used between knots, where torque, tool path, gaze and distances are "
@@ -88,10 +88,11 @@ std::vector<Column> limits_columns() {
           {"active", "1", "share of the knots at which the limit is active", {}},
           {"strength",
            "",
-           "sum of the limit's Lagrange multipliers: seconds or cost saved per unit of relaxation",
+           "sum of the limit's Lagrange multipliers: seconds or cost saved if the limit is relaxed by one "
+           "unit",
            {}},
-          {"active_lower", "s", "time intervals FROM:TO at the lower limit", {}},
-          {"active_upper", "s", "time intervals FROM:TO at the upper limit", {}}};
+          {"active_lower", "s", "time intervals FROM:TO in which the lower limit is active", {}},
+          {"active_upper", "s", "time intervals FROM:TO in which the upper limit is active", {}}};
 }
 
 }  // namespace armtune::internal

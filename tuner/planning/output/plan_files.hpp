@@ -18,7 +18,7 @@ std::string trajectory_csv(const PlanTask& task, const PlanProblem& problem, con
 std::string motion_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory,
                        int rows);
 
-/// Returns the text of limits.csv: one row per limit.
+/// Returns the text of limits.csv, which has one row per limit.
 std::string limits_csv(const std::vector<LimitUse>& uses);
 std::vector<Column> limits_columns();
 

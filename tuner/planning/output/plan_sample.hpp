@@ -1,6 +1,6 @@
 #pragma once
 // Evaluates a planned motion at one time: the arm's joints and torques, its tool, its gaze and its distances
-// from obstacles. The time is that of a knot or lies between two knots, where the motion is an exact cubic.
+// from obstacles. The time is that of a knot, or lies between two knots, where the motion is an exact cubic.
 
 #include <optional>
 
@@ -20,7 +20,7 @@ struct PlanSample {
   double time = 0.0;                    ///< time of the scenario [s]
   JointVector q, qd, qdd, jerk;         ///< (n) [rad, m and per s, s^2, s^3]; jerk: that of its interval
   JointVector tau;                      ///< (n) by inverse dynamics [N m, N]
-  double s = 0.0, sd = 0.0, sdd = 0.0;  ///< path coordinate in the path's own time, if the task has one [s]
+  double s = 0.0, sd = 0.0, sdd = 0.0;  ///< path coordinate (time on the path), if the task has one [s]
   Poses poses;                          ///< at q
   Vec3 desired = Vec3::Zero();          ///< position that the path gives the tool [m]
   Vec3 target = Vec3::Zero();           ///< position of the gaze target [m]
@@ -29,7 +29,7 @@ struct PlanSample {
   LeastClearances cell;         ///< distances of links from each other and the cell, if the task keeps any
 };
 
-/// Computes samples of a plan. Every call overwrites the sample that the call before returned.
+/// Computes samples of a plan. Each call overwrites the sample that the previous call returned.
 class PlanSampler {
  public:
   /// Task, problem and trajectory must outlive the sampler.

@@ -13,8 +13,8 @@ std::string planned_scenario_name(const PlanTask& task) {
 
 std::string planned_scenario_yaml(const PlanTask& task) {
   return fmt::format(
-      "base: {}\ndescription: {}\nplanned: trajectory.csv\nduration: planned   # or a time in s; after the "
-      "plan, the arm follows the scenario's own path\ntheta_start: {{model_scale: 1}}\n",
+      "base: {}\ndescription: {}\nplanned: trajectory.csv\nduration: planned   # or a time in s; if it is "
+      "longer than the plan, the arm then follows the scenario's own path\ntheta_start: {{model_scale: 1}}\n",
       yaml::quoted(portable_reference(task.scenario.source)),
       yaml::quoted(fmt::format("follows the plan of {} with the joint space law", task.name)));
 }

@@ -8,13 +8,13 @@
 
 namespace armtune::internal {
 
-/// Returns the name of the scenario file in the plan's folder. Without .yaml, it is the
-/// scenario's name in errors.csv and reports.
+/// Returns the name of the scenario file in the plan's folder. Without ".yaml" this is also the name of the
+/// scenario in errors.csv and in reports.
 std::string planned_scenario_name(const PlanTask& task);
 
-/// Returns the text of the scenario. It is based on the task's own scenario, and the controller follows
-/// trajectory.csv beside the file until that ends. The controller starts from the parameters of the arm's
-/// model.
+/// Returns the text of the scenario file. The scenario is based on the task's own scenario. The controller
+/// follows trajectory.csv, which is in the same folder, until that ends. It starts from the parameters of the
+/// arm's model.
 std::string planned_scenario_yaml(const PlanTask& task);
 
 }  // namespace armtune::internal

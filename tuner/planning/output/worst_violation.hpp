@@ -1,5 +1,6 @@
 #pragma once
-// Explains why no motion was found: which limit is in the way, when, and by how much it would be violated.
+// Explains why no motion was found: which limit prevents it, at what time, and by how much the planned motion
+// would violate this limit.
 
 #include <string>
 
@@ -7,12 +8,12 @@
 
 namespace armtune::internal {
 
-/// The row that is violated most, in proportion to its limit.
+/// The row (limit or equation of the task) that is violated most, in proportion to its limit.
 struct WorstViolation {
   RowMeaning meaning;
   double time = 0.0;       ///< [s]
   double violation = 0.0;  ///< relative to the limit; for an equation in its own unit
-  double value = 0.0;      ///< in the unit of its meaning, like the bound
+  double value = 0.0;      ///< value and bound are in the unit of `meaning`
   double bound = 0.0;
   bool equation = false;
 };

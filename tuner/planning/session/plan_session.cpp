@@ -34,7 +34,7 @@ std::string known_of_contact(const PlanTask& task) {
   std::vector<std::string> kept;
   const auto& clearance = task.scenario.clearance;
   if (task.clearance > 0.0 && !task.scenario.obstacles.empty())
-    kept.emplace_back("the obstacles (tool and joint origins)");
+    kept.emplace_back("the obstacles (measured at the tool and the joint origins)");
   if (task.clearance > 0.0 && clearance) {
     if (clearance->has(Clearance::kCell)) kept.emplace_back("the parts of the cell");
     if (clearance->has(Clearance::kFloor)) kept.emplace_back("the floor");

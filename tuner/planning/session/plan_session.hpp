@@ -1,7 +1,6 @@
 #pragma once
-// The work of the command `armtune plan`. It plans a trajectory for a task and measures how much of each
-// limit the trajectory uses. If an output folder is given, it writes all files. Without a solution it writes
-// nothing.
+// Does the work of `armtune plan`: plans a trajectory for a task, and measures how much of each limit the
+// trajectory uses. If an output folder is given, writes all files there. Without a solution, writes nothing.
 
 #include <optional>
 #include <string>
@@ -23,7 +22,7 @@ struct PlanSettings {
 
 struct PlanOutcome {
   std::optional<PlanProblem> problem;
-  PlannedTrajectory planned;       ///< the status of its result tells whether there is a solution
+  PlannedTrajectory planned;       ///< there is a solution if its result's status is kSolved
   std::vector<LimitUse> uses;      ///< empty without a solution
   std::vector<std::string> files;  ///< names of the files in the folder
   double seconds = 0.0;            ///< time that solving took

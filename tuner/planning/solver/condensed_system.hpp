@@ -8,11 +8,13 @@
 //   H = R^T R + C + diag(damping): the Hessian of the step, where R^T R is its Gauss-Newton part and C its
 //       curvature (normal_matrix.hpp)
 //   yield >= 0 (one per row): the amount by which a row gives way per unit of its multiplier
+//   delta: a small constant, the primal proximal part
 //   rd, e: the residuals of the step
 //
-// Some rows have yield 0. Therefore a small constant, the dual proximal part, is added: 1/D = yield +
-// constant. The system then condenses to the positive definite K = H + delta I + G^T D G (Friedlander and
-// Orban, Math. Prog. Comp. 4, 2012). Conjugate gradients afterwards remove the error of the constant.
+// Some rows have yield 0. Therefore a second small constant, the dual proximal part, is added to yield:
+// 1/D = yield + constant. The system then reduces to one with the positive definite matrix
+// K = H + delta I + G^T D G (Friedlander and Orban, Math. Prog. Comp. 4, 2012). Conjugate gradients
+// afterwards remove the error that the second constant causes.
 
 #include "tuner/planning/solver/normal_matrix.hpp"
 #include "tuner/planning/solver/quadratic_program.hpp"
@@ -55,10 +57,11 @@ class CondensedSystem {
  private:
   /// Computes the residual of d in the second block row.
   void rows_left(const Eigen::VectorXd& e, const LinearUnknowns& d, Eigen::VectorXd& left);
-  /// Corrects d until the second block row's residual (in r2_) is at most `within`. Solving again for the
-  /// residual brings y nearer by (S + 1/D - yield)^-1 S, where S = yield + G (H + delta)^-1 G^T. This matrix
-  /// is 1 except in the few directions in which active limits pin all motion. Conjugate gradients on it
-  /// therefore need few steps, where repeated solving alone may need hundreds.
+  /// Corrects d until the residual of the second block row (in r2_) is at most `within`. One more proximal
+  /// solve for this residual removes the part (S + 1/D - yield)^-1 S of the error of y, where
+  /// S = yield + G (H + delta I)^-1 G^T. This matrix is close to the identity except in the few directions in
+  /// which active limits prevent all motion. Conjugate gradients on it therefore need few steps. Repeated
+  /// solves alone may need hundreds.
   void make_rows_exact(double within, LinearUnknowns& d);
 
   const QuadraticProgram& program_;

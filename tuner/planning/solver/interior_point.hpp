@@ -1,9 +1,10 @@
 #pragma once
-// A primal-dual interior point method for quadratic programs. It solves the subproblems of a trajectory
+// A primal-dual interior point method for quadratic programs, which are the subproblems of a trajectory
 // optimisation. It uses Mehrotra's predictor and corrector (SIAM J. Optim. 2, 1992). Elastic rows may be
-// violated at an l1 penalty. Hard equations are treated by the proximal method of multipliers (Friedlander
-// and Orban, Math. Prog. Comp. 4, 2012). Each step thereby condenses to one positive definite system
-// K dx = r, K = H + G^T D G.
+// violated at an l1 penalty. Equations that must hold are treated by the proximal method of multipliers
+// (Friedlander and Orban, Math. Prog. Comp. 4, 2012). Each step thereby reduces to one linear system with the
+// positive definite matrix K = H + G^T D G. H is the Hessian, G has the constraint rows, and D is a diagonal
+// matrix (condensed_system.hpp).
 
 #include <functional>
 #include <memory>
@@ -19,7 +20,7 @@ struct InteriorPointOptions {
   double stationarity = 1e-9;     ///< tolerance of the sum of |entries| of the Lagrangian's gradient
   double infeasibility = 1e-9;    ///< tolerance of the largest residual of a row
   double complementarity = 1e-7;  ///< tolerance of the sum of slack x multiplier over all bounds
-  double start_mu = 1.0;          ///< initial slack x multiplier of a bound; small after a warm start
+  double start_mu = 1.0;          ///< initial slack x multiplier of every bound; small for a warm start
   std::function<bool()> go_on;    ///< called before each iteration; false interrupts
 };
 
@@ -28,7 +29,7 @@ struct InteriorPointResult {
   bool interrupted = false;
   int iterations = 0;
   double stationarity = 0.0;     ///< sum of |H x + g + G^T y|
-  double infeasibility = 0.0;    ///< largest residual of a row, elastic violation allowed for
+  double infeasibility = 0.0;    ///< largest residual of a row, without its elastic violation
   double complementarity = 0.0;  ///< sum of slack x multiplier over all bounds
 };
 
@@ -41,7 +42,7 @@ class InteriorPoint {
                 const BlockRows& rows);
 
   /// Solves the program. x, y: the starting point on entry; on return the solution and the multipliers of the
-  /// rows (y > 0 pulls at the upper bound).
+  /// rows, positive if the upper bound is active.
   InteriorPointResult solve(const QuadraticProgram& program, const InteriorPointOptions& options,
                             Eigen::VectorXd& x, Eigen::VectorXd& y);
 

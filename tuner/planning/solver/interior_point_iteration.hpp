@@ -10,12 +10,12 @@
 
 namespace armtune::internal {
 
-/// The unknowns, or a direction in their space. y multiplies G x - w - over + under = 0; w lies between the
-/// bounds.
+/// The unknowns, or a direction in their space. x has the variables of the program, and w the values of its
+/// rows, which lie between their bounds. y has the multipliers of the equations G x - w - over + under = 0.
 struct InteriorUnknowns : LinearUnknowns {
   Eigen::VectorXd w;             ///< value of each row, strictly between its bounds; the bound if an equation
   Eigen::VectorXd upper, lower;  ///< multipliers of w's bounds, 0 where there is no bound
-  Eigen::VectorXd over, under;   ///< elastic violations; their multipliers are penalty - y and penalty + y
+  Eigen::VectorXd over, under;   ///< elastic violations up and down; multipliers: penalty - y, penalty + y
 
   void set_zero(Eigen::Index variables, Eigen::Index rows) {
     x.setZero(variables);
@@ -38,7 +38,8 @@ struct InteriorPairs {
   Eigen::VectorXd upper, lower, over, under;
 };
 
-/// The iteration on one program that is being solved.
+/// The iteration on one program that is being solved. A pair is a slack and its multiplier; at the solution
+/// their product is 0.
 class InteriorPointIteration {
  public:
   InteriorPointIteration(const QuadraticProgram& program, NormalMatrix& normal, SparseCholesky& cholesky);
@@ -61,20 +62,23 @@ class InteriorPointIteration {
   double below_upper(const InteriorUnknowns& at, Eigen::Index i) const { return bounds_.upper[i] - at.w[i]; }
   double above_lower(const InteriorUnknowns& at, Eigen::Index i) const { return at.w[i] - bounds_.lower[i]; }
   void keep_within_penalty(Eigen::Index i);
-  /// Moves w, the row's value, between its bounds, and gives it multipliers.
+  /// Moves w, the row's value, to a point between its bounds, and sets its multipliers.
   void start_range(Eigen::Index i, double mu);
   /// Returns the mean product of the pairs at the present point (d null), or after `part` of the direction d.
   double complementarity(const InteriorUnknowns* d, double part) const;
-  /// Computes how far each row gives way to its multiplier, and factorises the linear system with it. A row
-  /// moves between its bounds (1/theta) or beyond them; yield is the sum of both.
+  /// Computes `yield`, the amount by which each row gives way per unit of its multiplier, and factorises the
+  /// linear system with it. `yield` is the sum of two parts: w moves between its bounds (1/theta), and an
+  /// elastic row is violated.
   bool factorize();
-  /// Sets the right-hand sides so that every product becomes `target`, those of elastic violations a fixed
-  /// small part of it. affine: direction whose second order terms are compensated; null: none.
+  /// Sets the right-hand sides so that the product of every pair becomes `target`; for elastic violations it
+  /// becomes a fixed small part of `target`. affine: direction whose second order terms are compensated;
+  /// null: none.
   void aim(double target, const InteriorUnknowns* affine);
-  /// Returns what moves w besides y: its stationarity residual and its pairs.
+  /// Returns the part of the right-hand side for w that does not depend on y. It consists of the stationarity
+  /// residual of w and the right-hand sides of its pairs.
   double push_on_w(Eigen::Index i) const;
-  /// Solves the linearised conditions for the pairs that `aim` has set. If not exact, the error of the dual
-  /// proximal part is left in the direction.
+  /// Solves the linearised conditions for the right-hand sides that `aim` has set. exact: if false, the error
+  /// that the dual proximal part causes (condensed_system.hpp) is left in the direction.
   void direction(InteriorUnknowns& d, bool exact);
   /// Returns the longest part of a direction, up to 1, that keeps every pair positive.
   double longest(const InteriorUnknowns& d) const;

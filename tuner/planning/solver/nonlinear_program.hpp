@@ -1,6 +1,8 @@
 #pragma once
-// The interface of a nonlinear program. A trajectory optimisation on a time grid is such a program:
-// min  cost^T z + |r(z)|^2 / 2   s.t.  lower <= c(z) <= upper.
+// The interface of a nonlinear program, such as a trajectory optimisation on a time grid:
+//   minimise    cost^T z + |r(z)|^2 / 2
+//   subject to  lower <= c(z) <= upper.
+// z are the unknowns, r the residuals and c the constraint rows.
 
 #include <vector>
 
@@ -17,15 +19,16 @@ class NonlinearProgram {
   /// Computes the same, and the Jacobians into `residuals` and `rows`, whose patterns never change.
   virtual void linearize(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) = 0;
 
-  /// Computes the second derivatives of residual^T r(z) + y^T c(z) into `curvature`, with residual and y held
-  /// constant. The Hessian of the Lagrangian is their sum with the Gauss-Newton product. The pattern of
-  /// `curvature` never changes.
+  /// Computes the second derivatives of residual^T r(z) + y^T c(z) by z into `curvature`, with residual and y
+  /// held constant. The Hessian of the Lagrangian is the sum of these and of the Gauss-Newton product. The
+  /// pattern of `curvature` never changes.
   virtual void curve(const Eigen::VectorXd& z, const Eigen::VectorXd& residual, const Eigen::VectorXd& y) = 0;
 
   int variables() const { return static_cast<int>(cost.size()); }
 
   Eigen::VectorXd cost;
-  /// Weights > 0: the squared length of a step is sum metric_i dz_i^2, about the same on every grid.
+  /// Weights above 0 that define the length of a step dz: its square is sum metric_i dz_i^2. The weights make
+  /// it about the same on every grid.
   Eigen::VectorXd metric;
   /// Rows whose value is positive and may at most halve or double in one step.
   std::vector<Eigen::Index> halving_rows;

@@ -1,7 +1,7 @@
 #pragma once
-// The matrix of the linear system that each interior point step solves: K = diag + curvature + sum of J^T D J
-// over the Jacobians J. Its sparsity pattern is found once; each assembly then adds small dense products at
-// known places.
+// The matrix K of the linear system that each interior point step solves. K is the sum of a diagonal matrix,
+// the curvature, and J^T D J for each Jacobian J, where D are diagonal weights. The sparsity pattern of K is
+// found once; each assembly then adds small dense products at known places.
 
 #include "tuner/planning/solver/block_rows.hpp"
 #include "tuner/planning/solver/curvature_blocks.hpp"

@@ -1,7 +1,8 @@
 #pragma once
 // A quadratic program whose rows may be elastic:
-// min  |R x|^2 / 2 + x^T C x / 2 + sum_i damping_i x_i^2 / 2 + gradient^T x + sum_i penalty_i * violation_i
-// s.t. lower_i <= G_i x <= upper_i, or violated by violation_i >= 0 where the row's penalty is finite.
+//   minimise    |R x|^2 / 2 + x^T C x / 2 + sum_i damping_i x_i^2 / 2 + gradient^T x + sum_i penalty_i v_i
+//   subject to  lower_i - v_i <= G_i x <= upper_i + v_i,   v_i >= 0.
+// v_i is the violation of row i. It is 0 for hard rows, whose penalty is infinite.
 
 #include "tuner/planning/solver/block_rows.hpp"
 #include "tuner/planning/solver/curvature_blocks.hpp"

@@ -2,8 +2,8 @@
 // Solves the nonlinear program of a trajectory by sequential quadratic programming. The Hessian is the sum of
 // the Gauss-Newton product and the second derivatives of residuals and constraint rows. Levenberg-Marquardt
 // damping takes the place of a trust region. A filter accepts or rejects steps (Fletcher and Leyffer, Math.
-// Prog. 91, 2002). If even the subproblem must violate constraints, the l1 merit function decides instead
-// (Nocedal and Wright, Numerical Optimization, 18.5).
+// Prog. 91, 2002). If even the solution of the subproblem violates constraints, the l1 merit function decides
+// instead (Nocedal and Wright, Numerical Optimization, 18.5).
 
 #include <functional>
 
@@ -14,9 +14,9 @@ namespace armtune::internal {
 
 struct SequentialQuadraticOptions {
   int max_iterations = 200;
-  double stationarity = 1e-6;     ///< sum of |entries| of the Lagrangian's gradient, in scaled unknowns
-  double violation = 1e-8;        ///< largest violation of a row
-  double complementarity = 1e-6;  ///< sum of |multiplier| x distance from its bound (optimality gap)
+  double stationarity = 1e-6;     ///< tolerance of the sum of |entries| of the Lagrangian's gradient (scaled)
+  double violation = 1e-8;        ///< tolerance of the largest violation of a row
+  double complementarity = 1e-6;  ///< tolerance of sum of |multiplier| x row's distance from its bound
   double damping = 1e-3;          ///< initial damping
 };
 
@@ -38,7 +38,7 @@ struct SequentialQuadraticResult {
   PlanStatus status = PlanStatus::kStalled;
   SequentialQuadraticProgress last;
   Eigen::VectorXd z;
-  Eigen::VectorXd multipliers;  ///< one per row; > 0 pulls at the upper bound
+  Eigen::VectorXd multipliers;  ///< one per row; positive if its upper bound is active
 };
 
 /// A function that is called before every iteration of the subproblems. It returns false to interrupt the

@@ -1,6 +1,7 @@
 #pragma once
 // Cholesky factorisation of a sparse symmetric positive definite matrix by SuiteSparse CHOLMOD, whose types
-// stay in sparse_cholesky.cpp. Chen, Davis, Hager, Rajamanickam, Algorithm 887: CHOLMOD, 2008.
+// are used only in sparse_cholesky.cpp. Source: Chen, Davis, Hager, Rajamanickam, Algorithm 887: CHOLMOD,
+// 2008.
 
 #include <Eigen/Core>
 #include <memory>
@@ -8,8 +9,8 @@
 
 namespace armtune::internal {
 
-/// The upper triangle of a symmetric matrix, compressed by columns, rows ascending. CHOLMOD factorises this
-/// form without transposing. The pattern does not change after it is made.
+/// The upper triangle of a symmetric matrix in compressed columns, with ascending rows in each column.
+/// CHOLMOD factorises this form without transposing. The pattern does not change after it is made.
 struct SymmetricMatrix {
   int size = 0;
   std::vector<int> column_starts;  ///< size + 1

@@ -1,8 +1,8 @@
 #pragma once
-// Accepts or rejects the steps of sequential quadratic programming. A filter compares objective and
-// constraint violation with those of earlier points (Fletcher and Leyffer, Math. Prog. 91, 2002). If even the
-// subproblem must violate constraints, the l1 merit function decides instead (Nocedal and Wright, Numerical
-// Optimization, 18.5).
+// Accepts or rejects the steps of sequential quadratic programming. The filter compares objective and
+// constraint violation of a new point with those of earlier points (Fletcher and Leyffer, Math. Prog. 91,
+// 2002). If even the solution of the subproblem violates constraints, the l1 merit function decides instead
+// (Nocedal and Wright, Numerical Optimization, 18.5).
 
 #include <vector>
 
@@ -18,13 +18,14 @@ struct Judged {
 class StepFilter {
  public:
   void clear() { remembered_.clear(); }
-  /// Raises the largest violation that a step may end with to `largest`. Never lowers it.
+  /// Allows steps whose new point violates a row by up to `largest`. A larger violation that was allowed
+  /// before remains allowed.
   void allow(double largest);
-  /// True if the step from `before` to `after` is accepted. The new point must be better in objective or in
-  /// violation than every remembered point. If the model predicts a better objective and the violation is
-  /// small, the objective must fall by a part of that prediction. model: predicted values after the full
-  /// step; part: share of the full step that was taken; price: cost of a mean violation, in units of the
-  /// objective.
+  /// True if the step from `before` to `after` is accepted. The new point must be better than every
+  /// remembered point, in objective or in violation. If the model predicts a better objective and the
+  /// violation is small, the objective must fall by at least a fixed fraction of the predicted decrease.
+  /// model: predicted values after the full step. part: share of the full step that was taken. price: cost of
+  /// a mean violation, in units of the objective.
   bool accepts(const Judged& before, const Judged& model, const Judged& after, double part, double price);
 
  private:

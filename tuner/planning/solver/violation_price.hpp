@@ -1,7 +1,7 @@
 #pragma once
 // The price of constraint violations: one common factor on the penalties of all rows that may be violated
-// (elastic rows). The solver raises it until no row is violated any more, or until the problem proves
-// infeasible.
+// (elastic rows). The solver raises the price until no row is violated any more, or until it finds that the
+// problem is infeasible.
 
 #include "tuner/planning/solver/quadratic_program.hpp"
 
@@ -12,8 +12,8 @@ double violation(const RowBounds& bounds, Eigen::Index row, double value);
 
 class ViolationPrice {
  public:
-  /// The bounds must outlive the price. tolerance: largest violation that counts as none. y (rows):
-  /// multipliers to start from. The first price makes every penalty at least twice the row's multiplier.
+  /// The bounds must outlive the price. tolerance: largest violation that counts as none. y (rows): initial
+  /// multipliers. The first price makes the penalty of every elastic row at least twice its multiplier.
   ViolationPrice(const RowBounds& bounds, double tolerance, const Eigen::VectorXd& y);
 
   double value() const { return value_; }
@@ -24,10 +24,10 @@ class ViolationPrice {
   double dearest() const { return value_ * dearest_; }
   void raise();
 
-  /// True if the multiplier of a violated row has reached its penalty.
+  /// True if, for some violated row, the multiplier has reached the penalty. row: values of the rows.
   bool paid(const Eigen::VectorXd& row, const Eigen::VectorXd& y) const;
-  /// Must be called in each iteration. True if the last iterations at this price did not reduce the
-  /// violation.
+  /// True if the last iterations at this price did not reduce the violation. Must be called in every
+  /// iteration.
   bool no_less_violated(int iteration, const Eigen::VectorXd& row);
 
  private:

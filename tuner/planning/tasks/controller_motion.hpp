@@ -1,6 +1,6 @@
 #pragma once
-// Reads the motion of an arm under its controller from the CSV file of a simulation (rollout). A plan that is
-// to improve on this motion starts in the same state and uses the motion as first guess.
+// Reads the motion of an arm under its controller from the CSV file of a simulation (rollout). A plan that
+// shall improve this motion starts in the same state as the motion, and uses the motion as its first guess.
 
 #include <optional>
 

@@ -7,7 +7,7 @@
 
 namespace armtune::internal {
 
-/// Returns the problem. Throws InputError if the path stands still or never closes.
+/// Returns the problem. Throws InputError if the path is a fixed point or is not closed.
 PlanProblem fastest_problem(const PlanCommon& common);
 
 }  // namespace armtune::internal

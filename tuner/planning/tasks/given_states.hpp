@@ -6,8 +6,9 @@
 
 namespace armtune::internal {
 
-/// Throws InputError if the start is closer to an obstacle, the cell or another link than the task allows.
-/// Throws it also if a joint cannot give the torque that the goal, or a start with an acceleration, needs.
+/// Throws InputError if, at the start, the arm is closer to an obstacle or to the cell than the task allows,
+/// or two of its links are closer to each other. Throws InputError too if a joint cannot give the torque that
+/// the arm needs at rest at the goal, or at the start with the acceleration that the task gives for it.
 void check_given_states(const PlanCommon& common);
 
 /// Returns the distance [m] of the arm at q (n) [rad, m] from the nearest obstacle's surface at a time [s].

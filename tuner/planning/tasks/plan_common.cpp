@@ -80,8 +80,8 @@ TimeGrid PlanCommon::grid(std::vector<Phase> phases) const {
 
 void PlanCommon::no_pose(const Vec3& tool) const {
   throw OutOfReach(
-      fmt::format("{}: {} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m within its joint "
-                  "limits as the task requires; move the path",
+      fmt::format("{}: within its joint limits, {} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m (with "
+                  "the tool's z axis on the gaze target, if the task requires it); move the path",
                   shown_path(task.source), robot->name, tool.x(), tool.y(), tool.z()));
 }
 

@@ -21,21 +21,22 @@ struct PlanCommon {
   /// Returns an optimisation problem with these limits and this start state. The caller adds the goals of the
   /// task.
   TrajectoryTask on(const TimeGrid& grid) const;
-  /// Returns a phase of the task's duration or, without one, a free phase with a first guess [s].
+  /// Returns a phase with the task's duration. If the task has none, the phase is free, and `guess` is the
+  /// first guess of its duration [s].
   Phase phase(const char* name, int intervals, double guess) const;
   TimeGrid grid(std::vector<Phase> phases) const;
   /// Returns the task's duration, else the time that the controller took, else `otherwise` [s].
   double first_duration(double otherwise) const;
-  /// Returns the time [s] that the slowest joint takes for its displacement at half its velocity limit; at
-  /// least 0.2 s. way: displacement of each joint (n) [rad, m].
+  /// Returns the time [s] in which every joint can make its displacement at half its velocity limit; at least
+  /// 0.2 s. way: displacement of each joint (n) [rad, m].
   double likely_duration(const JointVector& way) const;
-  /// Returns the time to stop from the start's velocity, plus the same time for the way back [s].
+  /// Returns twice the time to stop from the start's velocity [s]: for stopping and for moving back.
   double turning_time() const;
-  /// Throws OutOfReach: no joint position has the tool at this point [m].
+  /// Throws OutOfReach with the message that no joint position puts the tool at this point [m].
   [[noreturn]] void no_pose(const Vec3& tool) const;
 };
 
-/// Time from rest to the velocity limit that is assumed unless an acceleration limit makes it longer [s].
+/// Assumed time from rest to the velocity limit [s]. An acceleration limit can make this time longer.
 inline constexpr double kAccelerationTime = 0.2;
 
 }  // namespace armtune::internal

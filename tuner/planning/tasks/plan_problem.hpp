@@ -15,14 +15,14 @@ struct PlanProblem {
   TimeGrid grid;
   Trajectory guess;
   MovingPoint gaze_target;  ///< the target that the plan looks at
-  /// Time until which this target is the active one [s]. A gaze that reaches it later is of no use.
+  /// Time until which this target is the active one [s]. It is useless if the gaze reaches the target later.
   double target_until = std::numeric_limits<double>::infinity();
-  /// The same problem with a free duration. Set if the task fixes a duration that could be free.
+  /// The same problem with a free duration. Null unless the task fixes a duration that could be free.
   std::shared_ptr<const PlanProblem> free_duration;
 };
 
-/// Returns the problem of a task. Throws InputError if no pose of the arm is on the tool's path where the
-/// plan needs one, if start or goal break the task's limits, or if a rollout does not fit.
+/// Returns the problem of a task. Throws InputError if the arm cannot reach the tool's path where the plan
+/// needs it to, if start or goal break the task's limits, or if a given rollout does not fit the task.
 PlanProblem plan_problem(const PlanTask& task);
 
 /// Returns the motion of the gaze target; at each time it is that of the active target.

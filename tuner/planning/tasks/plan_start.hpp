@@ -7,7 +7,7 @@
 
 namespace armtune::internal {
 
-/// An error: the arm cannot reach a place that the task needs.
+/// The error that the arm cannot reach a place that the task needs.
 class OutOfReach : public InputError {
  public:
   using InputError::InputError;
@@ -22,8 +22,9 @@ struct StartState {
 /// - the state in the rollout that `controller` was read from (null: no rollout);
 /// - the state that the task gives;
 /// - for kMove, the scenario's start;
-/// - a pose on the path, which has the path's velocity, or is at rest for kFastest.
-/// Throws InputError; OutOfReach if no pose is on the path.
+/// - a state in which the tool is on its path and the gaze is at the target. The arm then moves with the
+///   path, or is at rest for kFastest.
+/// Throws InputError; OutOfReach if no joint position puts the tool on its path.
 StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller);
 
 /// Returns the acceleration of an arm at rest: zero (n) if the task limits jerks, since accelerations then

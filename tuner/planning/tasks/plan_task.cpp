@@ -30,7 +30,7 @@ JointVector positive_values(yaml::MapReader& map, const char* key, const std::ve
   if (node == nullptr) return {};
   JointVector values = yaml::joint_values(*node, joints);
   if (!(values.array() > 0.0).all())
-    node->fail(fmt::format("a limit is {}; each must be > 0", values.minCoeff()));
+    node->fail(fmt::format("a limit is {}; every limit must be > 0", values.minCoeff()));
   return values;
 }
 
@@ -52,7 +52,7 @@ PlanStart read_start(const yaml::Node& node, const std::vector<std::string>& joi
     start.rollout = rollout->as_string();
     if (!start.rollout.starts_with('/')) start.rollout = folder_of(node.file()) + "/" + start.rollout;
     if (map.has("position") || map.has("velocity"))
-      rollout->fail("cannot be combined with 'position' or 'velocity'; leave one out");
+      rollout->fail("cannot be combined with 'position' or 'velocity'; give either 'rollout' or these keys");
     map.finish();
     return start;
   }
@@ -159,8 +159,8 @@ std::string no_switch(const PlanTask& task) {
     at = scenario.next_switch(at);
   }
   if (times.empty()) return scenario.name + " never switches its target; choose another scenario";
-  return fmt::format("{} does not switch its target at {} s; it switches at {} s", scenario.name, task.at,
-                     fmt::join(times, ", "));
+  return fmt::format("{} does not switch its target at {} s; give one of its switch times: {} s",
+                     scenario.name, task.at, fmt::join(times, ", "));
 }
 
 /// What is kept from the scenario's obstacles and its cell, which must not be touched.
@@ -170,7 +170,8 @@ double read_clearance(yaml::MapReader& map, const Scenario& scenario) {
   if (has_cell && clearance == 0.0)
     map.required("clearance")
         .fail(scenario.name +
-              " has a cell that the arm must not touch; give a clearance above 0, or a scenario without one");
+              " has a cell that the arm must not touch; give a clearance above 0, or a scenario without a "
+              "cell");
   if (clearance > 0.0 && scenario.obstacles.empty() && !has_cell)
     map.required("clearance").fail(scenario.name + " has neither obstacles nor a cell; leave this key out");
   return clearance;
@@ -215,7 +216,7 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   if (!tracks_orientation(task.scenario.mask) && task.kind != PlanKind::kMove)
     scenario.fail(
         "the scenario controls the tool position only, but every task except 'move' also needs a gaze "
-        "target; give 'task: move', or another scenario");
+        "target; give 'task: move', or a scenario with gaze targets");
   const auto joints = joint_names(*task.scenario.robot);
   task.at = map.number_in("at", 0.0, 0.0, 1e6);
   if (const yaml::Node* start = map.optional("start")) task.start = read_start(*start, joints);
@@ -237,13 +238,14 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   map.finish();
 
   if (task.kind == PlanKind::kMove && task.goal.size() == 0)
-    kind.fail("a move needs a goal; give 'goal', the joint position at its end");
+    kind.fail("a move needs a goal; give the joint positions at its end as 'goal'");
   refuse_idle_keys(map, task);
   check_start_and_goal(map, task);
   if (task.kind == PlanKind::kReturn && task.start.position.size() == 0 && task.start.rollout.empty())
     kind.fail("a return needs a start state off the path; give start: {position: [...]} or {rollout: FILE}");
-  if (task.kind == PlanKind::kTrack && !task.duration) kind.fail("a track needs a duration [s]");
-  if (task.least_error && !task.duration) kind.fail("least_error needs a duration [s]");
+  if (task.kind == PlanKind::kTrack && !task.duration)
+    kind.fail("a track task needs a duration; give 'duration' [s]");
+  if (task.least_error && !task.duration) kind.fail("least_error needs a duration; give 'duration' [s]");
   if (task.kind == PlanKind::kSwitch &&
       task.scenario.active_target(task.at + task.scenario.control_period) ==
           task.scenario.active_target(std::max(0.0, task.at - task.scenario.control_period)))

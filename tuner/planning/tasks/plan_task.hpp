@@ -18,11 +18,11 @@ enum class PlanKind {
   kMove,     ///< from one joint position to another
   kTrack,    ///< along the scenario's tool path with the gaze at its targets, with the least error
   kSwitch,   ///< gaze to the next target while the tool stays on its path
-  kReturn,   ///< to the tool's moving path, with its velocity and acceleration
+  kReturn,   ///< tool back to its path; it arrives with the path's velocity and acceleration
   kFastest,  ///< along the tool path's curve in the least time
 };
 
-/// Returns every kind with the word that files use for it.
+/// Returns every kind with the word that stands for it in task files.
 const std::vector<std::pair<PlanKind, std::string>>& plan_kinds();
 std::string name(PlanKind kind);
 
@@ -33,13 +33,13 @@ struct PlanLimits {
   JointVector jerk;          ///< n or empty (none) [rad/s^3, m/s^3]
 };
 
-/// The start of the motion. If nothing is given, it is on the path with the gaze at the target (kMove: the
-/// scenario's start).
+/// The start of the motion. If nothing is given, the tool is on its path and the gaze is at the target. For
+/// kMove, it is then the scenario's start.
 struct PlanStart {
   JointVector position;      ///< n or empty
   JointVector velocity;      ///< n or empty (at rest)
   JointVector acceleration;  ///< n or empty (free; 0 at rest under a jerk limit)
-  std::string rollout;       ///< a rollout's CSV: its row at the plan's start is used
+  std::string rollout;       ///< CSV file of a rollout, whose row at the plan's start is used
 };
 
 struct PlanTask {
@@ -61,7 +61,7 @@ struct PlanTask {
                                    ///< and of links from each other and the cell [m]; 0: none
   PlanLimits limits;
   int knots = 200;
-  double smoothness = 1e-9;  ///< cost of jerk beside time and errors: picks one of many optima
+  double smoothness = 1e-9;  ///< weight of jerk beside time and errors; selects one of many optima
 };
 
 /// Reads a bundled task by name, or a file by path. Throws InputError.

@@ -1,15 +1,15 @@
 #pragma once
 // Solves the optimisation problem of a planning task. If the task fixes the duration, the plan of the least
-// time may be solved first, to see whether that duration is long enough.
+// possible duration may be solved first, to see whether the fixed duration is long enough.
 
 #include "tuner/planning/tasks/plan_problem.hpp"
 
 namespace armtune::internal {
 
-/// Returns the best trajectory found. If the task gives a duration that could be free, and it is near the
-/// least time or below it, the plan of the least time is solved first. That plan is found more easily than
-/// one of a given duration. It shows whether the given duration is too short, and it is the guess for the
-/// plan of that duration.
+/// Returns the best trajectory found. If the task fixes a duration that could be free, a rough plan shows
+/// whether this duration is near the least possible one or below it. If so, the plan of the least duration is
+/// solved first, because it is found more easily than a plan of a fixed duration. It shows whether the fixed
+/// duration is too short. If not, it is the first guess for the plan of the fixed duration.
 PlannedTrajectory solve_plan(const PlanProblem& problem, const SequentialQuadraticOptions& options = {},
                              const PlanObserver& observer = {});
 

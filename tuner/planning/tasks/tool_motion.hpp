@@ -1,6 +1,6 @@
 #pragma once
-// Computes joint poses and motions by inverse kinematics. In them the tool follows a path while its z axis
-// (the gaze) points at a target. Plans use them as first guesses.
+// Computes joint positions and joint motions by inverse kinematics. The tool is on a path, or follows it, and
+// its z axis (the gaze) points at a target. Plans use the results as first guesses.
 
 #include <functional>
 #include <optional>
@@ -17,18 +17,18 @@ using MovingPoint = std::function<MotionPoint<Vec3>(double t)>;
 /// The criterion that picks the best of several poses.
 enum class BestPose {
   kLargestManipulability,
-  kSoonest,  ///< reached first from `first` at the velocity limits
+  kSoonest,  ///< reached from `first` in the least time at the velocity limits
 };
 
 /// Returns a joint position (n) within the limits that puts the tool at `tool` and, if a target is given,
-/// points the tool's z axis at `target`. The search starts from `first` and from random positions, and the
-/// best pose found is returned. No value if no start leads to a pose.
+/// points the tool's z axis at `target`. The search starts from `first` and from random positions. The best
+/// pose found is returned. No value if no pose is found.
 std::optional<JointVector> pose_at(const RobotModel& robot, const Vec3& tool,
                                    const std::optional<Vec3>& target, const JointVector& first,
                                    BestPose best);
 
-/// Returns the motion from q (n) at the grid's start on, in which the tool follows `tool` and looks at
-/// `target`. Its durations are those of the grid's phases.
+/// Returns the motion that begins at joint positions q (n) at the start of the grid. In it the tool follows
+/// `tool`, and its z axis points at `target`. The phases of the motion last as long as those of the grid.
 Trajectory follow(const RobotModel& robot, const JointVector& q, const TimeGrid& grid,
                   const MovingPoint& tool, const MovingPoint& target);
 

@@ -20,41 +20,43 @@ struct KnotRange {
 /// Returns "rad" or "m" for each joint.
 std::vector<std::string> position_units(const RobotModel& robot);
 
-/// Returns the limits |tau_i| <= margin * effort limit of every joint, by the arm's inverse dynamics.
+/// Returns torque limits for every joint: by inverse dynamics, |tau_i| is at most `margin` times the effort
+/// limit. margin: share of the effort limits that may be used.
 KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin);
 
-/// Returns limits that keep the tool within `tolerance` [m] of path(t) along x, y, z. With a tolerance of 0
-/// they are equations: the tool is on the path, in units of 1 m.
+/// Returns limits that keep the tool within `tolerance` [m] of path(t) along x, y, z. If the tolerance is 0,
+/// they are equations, in units of 1 m, by which the tool is exactly on the path.
 KnotTerm tool_on_path(const RobotModel& robot, KnotRange knots, const Path& path, double tolerance);
 
-/// Returns equations by which the tool has the velocity [m/s] and acceleration [m/s^2] of path(t).
+/// Returns equations by which the tool has the velocity [m/s] and the acceleration [m/s^2] of path(t).
 KnotTerm tool_moves_with_path(const RobotModel& robot, int knot, const Path& path);
 
 /// Returns a cost of the tool's squared distance from path(t); `weight` per m^2.
 KnotTerm tool_path_cost(const RobotModel& robot, KnotRange knots, const Path& path, double weight);
 
-/// Returns a limit that keeps tool z within `angle` [rad] of the line to target(t).
+/// Returns a limit that keeps the tool's z axis within `angle` [rad] of the line to target(t).
 KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const Path& target, double angle);
 
-/// Returns a cost of the squared sine of the angle between tool z and the line to target(t); `weight` per
-/// rad^2.
+/// Returns a cost of the squared sine of the angle between the tool's z axis and the line to target(t);
+/// `weight` per rad^2.
 KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const Path& target, double weight);
 
 /// Returns limits that keep the tool, and every joint origin that can move, at least `radius` [m] from the
 /// obstacle's surface.
 KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle& obstacle, double radius);
 
-/// Largest distance demanded between links [m]: on many arms the shoulder is always close to the base.
+/// Largest distance required between links [m]: on many arms the shoulder is always close to the base.
 inline constexpr double kBetweenLinks = 0.005;
 
-/// Returns limits that keep every pair of bodies that must not touch at least `radius` [m] apart, and links
-/// of the arm at least min(radius, kBetweenLinks). There is one term for each part of the cell, one for the
-/// floor and one for the arm itself. Each has one row per pair.
+/// Returns limits on the distances between bodies that must not touch. The links of the arm stay at least
+/// `radius` [m] from the floor and from each part of the cell. Two links of the arm stay at least
+/// min(radius, kBetweenLinks) apart. There is one term for each part of the cell, one for the floor and one
+/// for the arm itself. Each has one row per pair of bodies.
 std::vector<KnotTerm> clear_of_cell(const std::shared_ptr<const ClearanceModel>& model, KnotRange knots,
                                     double radius);
 
-/// Returns the smallest distance [m] of the points that clear_of looks at from the surfaces of the obstacles
-/// at `time` [s]; infinite without obstacles.
+/// Returns the smallest distance [m] of the tool, and of every joint origin that can move, from the surfaces
+/// of the obstacles at `time` [s]; infinite without obstacles.
 double clearance_at(const Chain& chain, const Poses& poses, double time,
                     const std::vector<MovingObstacle>& obstacles);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Computes how a point of the arm moves when one joint moves. The constraints and costs of a plan store it in
-// their Jacobians.
+// Computes how a point of the arm moves when one joint moves. The constraints and costs of a plan store this
+// derivative in their Jacobians.
 
 #include "core/robot/kinematics.hpp"
 
@@ -18,12 +18,13 @@ inline JointAxis axis_of(const Chain& chain, const Poses& poses, int joint) {
   return {poses.R_0B[k].col(2), poses.p_0B[k], chain.motion[k] == JointMotion::kRevolute};
 }
 
-/// Returns d p / d q_i of a point p beyond joint i.
+/// Returns dp/dq_i, the derivative of a point p [m] of the arm beyond joint i by the position of this joint.
 inline Vec3 point_rate(const JointAxis& axis, const Vec3& p) {
   return axis.turns ? Vec3(axis.z.cross(p - axis.p)) : axis.z;
 }
 
-/// Writes d into one column of three rows, which have `columns` entries each.
+/// Writes the three entries of d into one column of a matrix that is stored row by row. columns: number of
+/// columns of the matrix.
 inline void put(double* rows, int columns, int column, const Vec3& d) {
   for (int i = 0; i < 3; ++i) rows[i * columns + column] = d[i];
 }

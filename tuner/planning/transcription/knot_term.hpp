@@ -1,6 +1,6 @@
 #pragma once
-// A term of a trajectory optimisation: a cost, or constraints, at some knots of the time grid. Its rows
-// depend on the joints' motion at one knot and on the time.
+// A term of a trajectory optimisation: a cost, or constraints, at some knots of the time grid. The rows of a
+// term depend on the time and on the motion of the joints at one knot.
 
 #include <functional>
 #include <limits>
@@ -35,7 +35,7 @@ struct KnotRows {
 /// is minimised.
 struct KnotTerm {
   std::string name;
-  std::vector<std::string> rows;  ///< name of each row: the joint, the axis
+  std::vector<std::string> rows;  ///< name of each row, such as a joint or an axis
   int first_knot = 0;
   int last_knot = 0;
   bool on_velocity = false;

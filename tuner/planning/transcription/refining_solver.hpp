@@ -9,7 +9,7 @@
 
 namespace armtune::internal {
 
-/// A function that returns the task on a grid; grids differ in their numbers of intervals only.
+/// A function that returns the task on a given grid. The grids differ only in their numbers of intervals.
 using TaskOnGrid = std::function<TrajectoryTask(const TimeGrid&)>;
 
 struct PlannedTrajectory {
@@ -18,8 +18,8 @@ struct PlannedTrajectory {
   std::shared_ptr<TrajectoryProgram> program;  ///< on the fine grid, unless interrupted
   double weight = 1.0;                         ///< factor that the program's objective is multiplied with
   int interior_iterations = 0;                 ///< on all grids
-  /// True if the given duration is too short, and the plan therefore infeasible. All else is then the plan of
-  /// the least time.
+  /// True if the plan is infeasible because the given duration is too short. All other members then describe
+  /// the plan of the least time.
   bool too_short = false;
 
   double objective() const { return result.last.objective / weight; }
@@ -28,15 +28,15 @@ struct PlannedTrajectory {
 /// Returns the grid that refining starts on.
 TimeGrid coarsest(const TimeGrid& grid);
 
-/// Solves on `grid`, starting from the guess on coarser grids. The status kInfeasible means that there is no
-/// solution on this grid even if the objective has a millionth of its weight. A coarse grid without a
+/// Solves on `grid`, starting from `guess` on coarser grids. The status kInfeasible means that no solution
+/// was found on this grid, not even with a millionth of the objective's weight. A coarse grid without a
 /// solution proves nothing.
 PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                  const SequentialQuadraticOptions& options, const PlanObserver& observer);
 
-/// Solves on `grid` alone, from a guess at its knots that keeps the limits or nearly so. Near the edge of
-/// what is feasible, objective and multipliers grow large beside the price of a violation. The objective is
-/// therefore weighted by its value at the guess.
+/// Solves on `grid` alone. The guess has the knots of this grid, and keeps the limits or nearly so. If the
+/// problem is barely feasible, objective and multipliers become large in comparison with the price of a
+/// violation. The objective is therefore multiplied by a weight that depends on its value at the guess.
 PlannedTrajectory solve_beside(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                const SequentialQuadraticOptions& options, const PlanObserver& observer);
 

@@ -12,7 +12,8 @@ struct GivenState {
   Eigen::VectorXd position, velocity, acceleration;
 };
 
-/// Returns equations that give the coordinates `names` this state at the knot. units: of their positions.
+/// Returns equations by which the coordinates called `names` have the given state at the knot. units: those
+/// of the positions.
 inline KnotTerm given_state(const std::string& name, const std::vector<std::string>& names,
                             const std::vector<std::string>& units, int knot, const GivenState& given) {
   KnotTerm term;
@@ -44,7 +45,7 @@ inline KnotTerm given_state(const std::string& name, const std::vector<std::stri
   return term;
 }
 
-/// Returns an equation that gives the path coordinate the value `s` at the knot.
+/// Returns an equation by which the path coordinate has the value `s` at the knot.
 inline KnotTerm path_coordinate_at(int knot, double s) {
   KnotTerm term;
   term.name = kept_words::kPathCoordinate;

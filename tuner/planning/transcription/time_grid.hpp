@@ -1,5 +1,6 @@
 #pragma once
-// The time grid of a trajectory. It consists of phases of equal intervals; a phase's duration may be free.
+// The time grid of a trajectory. It consists of phases, each of which has intervals of equal length. The
+// duration of a phase may be free.
 
 #include <string>
 #include <vector>
@@ -9,7 +10,7 @@ namespace armtune::internal {
 struct Phase {
   std::string name;
   int intervals = 1;
-  double duration = 1.0;  ///< [s]; of a free phase the first guess
+  double duration = 1.0;  ///< [s]; the first guess if the phase is free
   bool free = false;
   double shortest = 1e-3;  ///< bounds of a free duration [s]
   double longest = 1e3;
@@ -25,7 +26,7 @@ struct TimeGrid {
     return sum;
   }
   int knots() const { return intervals() + 1; }
-  /// Returns the first knot of a phase. For the number after the last phase it is the last knot.
+  /// Returns the first knot of a phase. If `phase` is the number of phases, returns the grid's last knot.
   int first_knot(int phase) const {
     int knot = 0;
     for (int p = 0; p < phase; ++p) knot += phases[static_cast<std::size_t>(p)].intervals;

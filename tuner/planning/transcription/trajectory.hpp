@@ -25,8 +25,8 @@ TrajectoryPoint point_at(const Trajectory& trajectory, double t);
 /// trajectory's durations in place of the grid's.
 Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid);
 
-/// Returns the motion through the same positions with the durations of the grid, which has as many knots. All
-/// velocities and accelerations are scaled accordingly, except those at the start.
+/// Returns the motion through the same positions with the phase durations of `grid`, which has as many knots.
+/// Velocities and accelerations are scaled accordingly, except those at the start.
 Trajectory in_durations_of(const TimeGrid& grid, Trajectory trajectory);
 
 /// Replaces velocities and accelerations by those of the cubic spline through the positions. It starts

@@ -1,15 +1,15 @@
 #pragma once
-// Direct transcription of a motion with piecewise constant jerk. The unknowns are position, velocity and
-// acceleration of every coordinate at every knot, and the free durations. Between knots the motion is an
-// exact cubic:
+// Direct transcription of a motion with piecewise constant jerk. The unknowns are position q, velocity q' and
+// acceleration q'' of every coordinate at every knot, and the free durations. Between two knots, the motion
+// is an exact cubic. With h the time between the knots, and q+ the value of q at the second knot:
 //   q+ = q + h q' + h^2 (q''/3 + q''+/6),   q'+ = q' + h (q'' + q''+)/2.
-// The limits hold between the knots as well:
+// Limits of position, velocity and acceleration hold between the knots as well:
 // - q'' is linear there, so its limit holds if it holds at the knots.
 // - q' is a parabola with the control points q', q' + h q''/2, q'+. If they keep the velocity limit, so does
 //   the parabola (Farin, Curves and Surfaces for CAGD, chapter 4).
 // - q has the control points q, q + h q'/3, q + 2 h q'/3 + h^2 q''/6, q+. If they keep the position limits,
 //   so does q.
-// Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
+// Source: Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ struct Coordinate {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double least_velocity = -std::numeric_limits<double>::infinity();
-  /// Returns the lower bound of q': the narrower of -velocity and least_velocity.
+  /// Returns the lower bound of q': the larger of -velocity and least_velocity.
   double lowest_velocity() const { return std::max(-velocity, least_velocity); }
   bool limits_position() const { return std::isfinite(lower) || std::isfinite(upper); }
   double position_unit() const { return unit_of(lower, upper); }
@@ -51,13 +51,13 @@ struct Coordinate {
   double velocity = std::numeric_limits<double>::infinity();
   double acceleration = std::numeric_limits<double>::infinity();
   double jerk = std::numeric_limits<double>::infinity();
-  double velocity_scale = 1.0;  ///< typical size
+  double velocity_scale = 1.0;  ///< typical size of q', by which this unknown is scaled
   double acceleration_scale = 1.0;
 };
 
 struct Smoothness {
   double acceleration = 0.0;  ///< cost per second of (q'' / acceleration_scale)^2 / 2
-  double jerk = 0.0;          ///< cost per second of (jerk / acceleration_scale)^2 s^2 / 2
+  double jerk = 0.0;          ///< cost per second of (1 s * jerk / acceleration_scale)^2 / 2
 };
 
 struct TrajectoryTask {
@@ -67,7 +67,7 @@ struct TrajectoryTask {
   std::vector<KnotTerm> terms;
   Smoothness smoothness;
   double duration_cost = 0.0;  ///< per second of free durations
-  double penalty = 10.0;       ///< cost of a violation, which is relative to its limit
+  double penalty = 10.0;       ///< cost per unit of violation; violations are relative to their limits
 };
 
 /// The meaning of a row of the program, in the user's words.
@@ -102,17 +102,18 @@ class TrajectoryProgram : public NonlinearProgram {
   struct RowGroup {
     Eigen::Index first_row;
     std::string limit;
-    int kind;     ///< tells `meaning` how to read the offset
+    int kind;     ///< a GroupKind; `meaning` interprets a row's offset by it
     int term;     ///< index of the term, or of the coordinate
-    int width;    ///< rows of a knot
-    int order;    ///< order of the derivative that it bounds, if it bounds one
-    double size;  ///< size that a value of 1 stands for, if it bounds a coordinate
+    int width;    ///< number of rows per knot
+    int order;    ///< order of the derivative that the group bounds, if it does
+    double size;  ///< size that a value of 1 stands for, if the group bounds a coordinate
   };
   struct TermBlocks {
     int first_block = 0;  ///< in `rows` or `residuals`, one block per knot
   };
-  /// Returns an unknown's column. The coordinates of a knot follow one another, each with its derivatives.
-  /// A coordinate couples with itself at the next knot only, so the Cholesky factor then fills in least.
+  /// Returns an unknown's column. At each knot the coordinates follow one another, each with its derivatives.
+  /// In this order the Cholesky factor fills in least, because a coordinate is coupled only with itself at
+  /// the next knot.
   int column(int knot, int order, int coordinate) const;
   bool is_acceleration(int column) const { return column < 3 * m_ * task_.grid.knots() && column % 3 == 2; }
   double scale(int order, int coordinate) const;
@@ -123,7 +124,7 @@ class TrajectoryProgram : public NonlinearProgram {
            : group.kind == kInside ? velocity_limited_
                                    : position_limited_;
   }
-  /// Returns the one of these coordinates that a row at this offset in the group belongs to.
+  /// Returns the coordinate (one of limited(group)) that the row at this offset in the group belongs to.
   const Coordinate& limited_at(const RowGroup& group, int offset) const {
     const int rows_each = group.kind == kInsidePosition ? 2 : 1;
     const auto place = static_cast<std::size_t>(offset % group.width / rows_each);

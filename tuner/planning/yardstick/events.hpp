@@ -1,6 +1,7 @@
 #pragma once
-// Finds the parts of a rollout (events) that can be compared with an optimal plan. In an event the gaze
-// switches to another target, the tool returns to its path, or the tool completes one lap of the path.
+// Finds the events of a rollout. An event is a part of the rollout that can be compared with an optimal plan:
+// the gaze switches to another target, the tool returns to its path, or the tool completes one lap of the
+// path.
 
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace armtune::internal {
 enum class EventKind {
   kSwitch,  ///< time from the switch until the gaze angle stays under its threshold [s]
   kReturn,  ///< time from the end of the previous state until the path is followed again [s]
-  kLap,     ///< rms of the gaze angle over one turn of the path [rad]
+  kLap,     ///< rms of the gaze angle over one lap of the path [rad]
 };
 std::string name(EventKind kind);
 /// Returns the unit of `reached` for this kind.
@@ -24,7 +25,7 @@ std::string unit(EventKind kind);
 /// The way in which an event ended.
 enum class EventOutcome {
   kReached,
-  kAlreadyThere,  ///< there was nothing to reach: 0 s
+  kAlreadyThere,  ///< the goal was reached from the beginning; `reached` is 0 s
   kNotReached,    ///< the next switch came first
   kCutByEnd,      ///< the rollout ended first
   kCutByState,    ///< the controller entered another state first, to avoid an obstacle
@@ -35,23 +36,24 @@ std::string words(EventOutcome outcome);
 struct Event {
   EventKind kind = EventKind::kSwitch;
   EventOutcome outcome = EventOutcome::kReached;
-  double time = 0.0;     ///< begin of the event [s]
-  double end = 0.0;      ///< its latest end: next switch, end of the rollout, of the state or of the turn [s]
-  double reached = 0.0;  ///< as its kind defines it; NaN: not reached before the end
+  double time = 0.0;     ///< start of the event [s]
+  double end = 0.0;      ///< latest end: the next switch, or the end of rollout, state or lap [s]
+  double reached = 0.0;  ///< value that EventKind defines; NaN: not reached before `end`
   ControlState state = ControlState::kFollowTrajectory;  ///< state of the controller at its beginning
-  /// kSwitch: time until the gaze is under its threshold for good in any state, or else until the next switch
-  /// or the end [s]. The metric reacquisition/time is the largest of these times.
+  /// kSwitch: time until the gaze angle is under its threshold and stays there until the next switch or the
+  /// end of the rollout, in any state [s]. If it never does, the time until then. The metric
+  /// reacquisition/time is the largest of these times.
   double settled = 0.0;
   double gaze = 0.0;     ///< angle to the active target at its beginning [rad]
   JointVector position;  ///< (n) at its beginning [rad, m]
   JointVector velocity;
-  /// Largest distance of the tool from the path along an axis during the event [m]. For a switch whose
-  /// target was reached, only the time until then and the following kSwitchHold count, as in its plan.
+  /// Largest distance of the tool from the path along one of the axes x, y, z during the event [m]. For a
+  /// switch whose target was reached, rows after that count only for another kSwitchHold, as in the plan.
   double path_error = 0.0;
-  /// Least distance of a joint or the tool from an obstacle's surface at the same times [m]; infinite without
-  /// obstacles.
+  /// Least distance of the tool, or of a joint origin that can move, from an obstacle's surface during the
+  /// same time [m]; infinite without obstacles.
   double nearest = 0.0;
-  std::vector<double> times;  ///< kLap: times of the rows that its rms is over [s]
+  std::vector<double> times;  ///< kLap: times of the rows over which the rms is computed [s]
 };
 
 /// Time that the gaze must stay on target for a planned switch to count [s].
@@ -60,7 +62,7 @@ inline constexpr double kSwitchHold = 0.5;
 /// Returns the events in order of time. rollout: table of rollout_<scenario>.csv; gaze_threshold: angle below
 /// which a target is acquired [rad]. A switch that begins while the path is followed is judged until the path
 /// is left or the next switch begins. A switch that begins in another state, such as a return or an evasion,
-/// is judged until the next switch. Left out are incomplete turns, and switches while the arm still
+/// is judged until the next switch. Incomplete laps are left out, and so are switches while the arm still
 /// moves out of its start pose (kLeaveSingularity). Throws InputError if a column is missing.
 std::vector<Event> events_of(const CsvTable& rollout, const Scenario& scenario, double gaze_threshold);
 

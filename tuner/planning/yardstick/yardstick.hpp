@@ -15,20 +15,21 @@ struct YardstickOptions {
   /// Path tolerance in the plan of a target switch [m]. It is wider if the rollout itself is farther from the
   /// path during the event.
   double path_tolerance = 1e-3;
-  /// Distance that tool and joint origins keep from every obstacle's surface [m], if the scenario has any; 0:
-  /// none. It is smaller if the rollout itself comes nearer during the event.
+  /// Distance that the plan keeps between the surface of every obstacle and the tool and joint origins [m].
+  /// 0: no distance is kept. It is smaller if the rollout itself comes nearer during the event.
   double clearance = 0.0;
-  /// Knots of each plan. A lap's plan has more if an interval would otherwise be longer than 25 ms, or 12.5
-  /// ms if targets switch.
+  /// Number of knots of each plan. The plan of a lap has more if an interval would otherwise be longer than
+  /// 25 ms (12.5 ms if the gaze switches to another target during the lap).
   int knots = 120;
 };
 
-/// The way in which the limit of an event (its least possible value) was found, or why there is none.
+/// The way in which the limit of an event was found, or why there is none. The limit of an event is the value
+/// of Event::reached that the best planned motion within the arm's limits attains.
 enum class MeasureStatus {
   kSolved,
   kWithoutClearance,  ///< solved, but only with the obstacles left out
   kPastNextSwitch,    ///< solved, but even the best plan gets there only after the targets switch again
-  kThereAtOnce,       ///< limit 0: at its beginning the gaze is within its threshold, or the tool on the path
+  kThereAtOnce,       ///< limit 0: gaze within its threshold, or tool on its path, from the beginning
   kInfeasible,
   kNotSolved,
   kInterrupted,
@@ -40,10 +41,10 @@ struct Measure {
   std::string scenario;
   Event event;
   MeasureStatus status = MeasureStatus::kNotSolved;
-  double limit = 0.0;        ///< least possible value of the event's `reached`; NaN if none was found
-  double clearance = 0.0;    ///< kept by the plan [m]; NaN without obstacles or with them left out
-  std::string held_back_by;  ///< "velocity of wrist_2_joint"; empty: no limit holds it back, or no plan
-  /// Returns reached / limit; NaN if either is missing or the limit is 0.
+  double limit = 0.0;        ///< limit of the event (see MeasureStatus); NaN if none was found
+  double clearance = 0.0;    ///< distance that the plan keeps from obstacles [m]; NaN: none
+  std::string held_back_by;  ///< such as "velocity of wrist_2_joint" or "reach of the arm"; empty: nothing
+  /// Returns event.reached divided by `limit`. NaN if either is missing or the limit is 0.
   double ratio() const;
 };
 
@@ -51,17 +52,18 @@ struct Measure {
 /// options say or, if the rollout comes nearer during the event, as the rollout does.
 PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOptions& options);
 
-/// Returns the rms of the gaze angle of a motion at the given times [rad]. For a lap these are the times of
-/// the rollout's rows, so that plan and rollout are compared by the same mean.
+/// Returns the rms of the gaze angle of a motion over the given times [rad]. For a lap these are the times of
+/// the rollout's rows, so that the values of plan and rollout are means over the same times.
 double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Trajectory& trajectory,
                 const std::vector<double>& times);
 
-/// Plans the best motion for an event, and returns its value as the limit of the event.
+/// Plans the best motion for an event, and returns the value that this motion reaches as the event's limit.
 Measure measure(const Event& event, const Scenario& scenario, const YardstickOptions& options,
                 const PlanObserver& observer);
 
-/// Returns the limit of the scenario's slowest target switch [s]. The metric reacquisition/time is the
-/// time of this switch. NaN if the switch has no limit, or if there is no switch.
+/// Returns the limit (see MeasureStatus) of that target switch of the scenario that took the controller
+/// longest [s]. The controller's time for this switch is the metric reacquisition/time. NaN if the switch has
+/// no limit, or if there is no switch.
 double reacquisition_limit(const std::vector<Measure>& measures, const std::string& scenario);
 
 }  // namespace armtune::internal

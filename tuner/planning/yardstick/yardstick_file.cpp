@@ -29,8 +29,14 @@ std::vector<Column> yardstick_columns() {
        {}},
       {"time", "s", "time at which the event begins", {}},
       {"state", "", "state of the controller at that time", {}},
-      {"reached", "s, rad", "time or RMS angle of the controller, from the rows of the recording", {}},
-      {"limit", "s, rad", "least value found within the arm's limits from the same state", {}},
+      {"reached",
+       "s, rad",
+       "time or RMS angle that the controller achieved, from the rows of the recording",
+       {}},
+      {"limit",
+       "s, rad",
+       "least time or RMS angle that the planner found within the arm's limits, from the same state",
+       {}},
       {"ratio",
        "1",
        "the reached value divided by the limit; empty if either is missing or the limit is 0",
@@ -43,7 +49,7 @@ std::vector<Column> yardstick_columns() {
        {}},
       {"held_back_by",
        "",
-       "limit that costs the plan most, or that makes it infeasible; empty if there is none",
+       "limit that costs the plan most, or that makes the plan infeasible; empty if there is none",
        {}},
       {"clearance",
        "m",
@@ -53,8 +59,8 @@ std::vector<Column> yardstick_columns() {
       {"status",
        "",
        "status of the limit: solved; solved without obstacles (no plan was found that stays clear of them); "
-       "past the next switch (no motion found gets there before it); there at once (gaze on target, or tool "
-       "on the path, at the start); infeasible; not solved",
+       "past the next switch (no motion was found that gets there before it); there at once (gaze on target, "
+       "or tool on the path, at the start); infeasible; not solved",
        {}}};
 }
 

@@ -10,7 +10,7 @@ namespace armtune::internal {
 /// Returns the text of yardstick.csv. Numbers read back to the same bits; a missing value is an empty cell.
 std::string yardstick_csv(const std::vector<Measure>& measures);
 
-/// Returns name, unit and meaning of its columns.
+/// Returns name, unit and meaning of every column of yardstick.csv.
 std::vector<Column> yardstick_columns();
 
 }  // namespace armtune::internal

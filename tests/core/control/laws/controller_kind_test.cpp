@@ -48,7 +48,7 @@ TEST(ControllerKind, OfArmtuneAreSix) {
   ASSERT_GE(names.size(), 6U);
   names.resize(6);
   EXPECT_THAT(names,
-              testing::ElementsAre("adaptive", "joint_pd", "computed_torque", "impedance",
+              testing::ElementsAre("adaptive", "joint_pd", "computed_torque", "impedance", "joint_impedance",
                                    "joint_trajectory_controller", "joint_trajectory_controller_velocity"));
 }
 
@@ -111,9 +111,9 @@ TEST(ControllerKind, GainsOfOneKindBecomeValidGainsOfEveryOther) {
   const test::Rig rig;
   const std::vector<std::string> joints = joint_names(*rig.model);
   for (const ControllerKind* from : controller_kinds()) {
-    const Gains gains = controlled_by(*from, rig.gains, *rig.model, rig.goal().q);
+    const Gains gains = convert_gains(*from, rig.gains, *rig.model, rig.goal().q);
     for (const ControllerKind* to : controller_kinds()) {
-      const Gains other = controlled_by(*to, gains, *rig.model, rig.goal().q);
+      const Gains other = convert_gains(*to, gains, *rig.model, rig.goal().q);
       EXPECT_EQ(other.controller, to->name);
       EXPECT_NO_THROW(validate(other, joints, to->name)) << from->name;
       EXPECT_EQ(other.joint_space_gains_d, rig.gains.joint_space_gains_d);
@@ -124,7 +124,7 @@ TEST(ControllerKind, GainsOfOneKindBecomeValidGainsOfEveryOther) {
 
 TEST(ControllerKind, AGainThatTheKindDoesNotHaveDoesNotAct) {
   const test::Rig rig;
-  const Gains gains = controlled_by(controller_kind("impedance"), rig.gains, *rig.model, rig.goal().q);
+  const Gains gains = convert_gains(controller_kind("impedance"), rig.gains, *rig.model, rig.goal().q);
   EXPECT_TRUE(gains.task_space_gains_p.isZero(0.0));
   EXPECT_TRUE(gains.task_space_gains_i.isZero(0.0));
   EXPECT_EQ(gains.task_space_gains_d.size(), 0);
@@ -137,8 +137,8 @@ TEST(ControllerKind, AGainThatTheKindDoesNotHaveDoesNotAct) {
 TEST(ControllerKind, WhatTheOtherKindDidNotHaveBeginsWithTheArmsInertia) {
   const test::Rig rig;
   const JointVector q = rig.goal().q;
-  const Gains impedance = controlled_by(controller_kind("impedance"), rig.gains, *rig.model, q);
-  const Gains adaptive = controlled_by(controller_kind("adaptive"), impedance, *rig.model, q);
+  const Gains impedance = convert_gains(controller_kind("impedance"), rig.gains, *rig.model, q);
+  const Gains adaptive = convert_gains(controller_kind("adaptive"), impedance, *rig.model, q);
   EXPECT_GT(adaptive.task_space_gains_p.minCoeff(), 0.0);
   ASSERT_EQ(adaptive.task_space_gains_d.size(), 6);
   EXPECT_LT((adaptive.task_space_gains_d - kFirstRate * joint_inertia(*rig.model, q)).norm(), 1e-9);
@@ -146,7 +146,7 @@ TEST(ControllerKind, WhatTheOtherKindDidNotHaveBeginsWithTheArmsInertia) {
 
 TEST(ControllerKind, OwnGainsAreFoundByNameAndCheckedLikeAnyOther) {
   Gains gains =
-      controlled_by(controller_kind("joint_pd"), test::ur10_gains(), test::ur10(), test::Rig().goal().q);
+      convert_gains(controller_kind("joint_pd"), test::ur10_gains(), test::ur10(), test::Rig().goal().q);
   EXPECT_EQ(own(gains, "joint_pd_p").size(), 6);
   EXPECT_THROW(own(gains, "impedance_k"), InputError);
   own(gains, "joint_pd_p")[2] = -3.0;
@@ -167,7 +167,7 @@ TEST(ControllerKind, TheControllersTorqueIsThatOfTheLawTheGainsName) {
   test::Rig rig;
   for (const ControllerKind* kind : controller_kinds()) {
     if (!kind->start && !kind->own.empty()) continue;  // of another test
-    rig.gains = controlled_by(*kind, test::ur10_gains(), *rig.model, rig.goal().q);
+    rig.gains = convert_gains(*kind, test::ur10_gains(), *rig.model, rig.goal().q);
     double time = 0.0;
     const auto controller = rig.following(time);
     JointState measured = rig.goal();

@@ -13,6 +13,7 @@
 #include "core/robot/theta.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/law_period.hpp"
+#include "tests/core/support/one_joint.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -65,29 +66,12 @@ TEST(JointTrajectoryLaw, OfARobotThatCompensatesGravityHasTheWeightOnTop) {
   }
 }
 
-/// One joint about a horizontal axis: q'' = (tau - m g l cos q - b q') / (J + rotor).
-RobotModel pendulum() {
-  RobotModel arm = test::random_arm(1, 7, false);
-  Chain& chain = arm.chain;
-  chain.R_PB0[0] << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;  // its z is the base's -y
-  chain.p_PB0[0].setZero();
-  chain.gravity = Vec3(0.0, 0.0, -9.81);
-  chain.link[0].mass = 3.0;
-  chain.link[0].first_moment = Vec3(3.0 * 0.4, 0.0, 0.0);
-  chain.link[0].inertia = Vec3(0.1, 0.6, 0.6).asDiagonal();
-  chain.rotor_inertia[0] = 0.2;
-  chain.viscous_friction[0] = 1.5;
-  chain.coulomb_friction[0] = 0.0;
-  arm.joints[0].limits = {true, -3.0, 3.0, 10.0, 1e4};
-  return arm;
-}
-
 // The same arm and controller once more in a few lines: torque held over a period, q'' from the equation of
 // motion by Runge-Kutta's fourth order.
 TEST(JointTrajectoryLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration) {
-  const auto arm = std::make_shared<const RobotModel>(pendulum());
+  const auto arm = std::make_shared<const RobotModel>(test::pendulum());
   Gains gains;
-  become(gains, "joint_trajectory_controller", 1);
+  change_controller(gains, "joint_trajectory_controller", 1);
   gains.joint_space_gains_p = gains.joint_space_gains_d = gains.joint_space_goal = JointVector::Zero(1);
   gains.joint_trajectory_duration = 1.0;
   gains.force_control_gains = JointVector::Zero(1);
@@ -125,33 +109,10 @@ TEST(JointTrajectoryLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration
                            1.5 * plan.at(time + kPeriod).velocity[0];
     ASSERT_NEAR(tau, own_tau, 1e-9 * (1.0 + std::abs(own_tau))) << time;
 
-    const auto slope = [own_tau](double x, double v) {
-      return (own_tau - 3.0 * 9.81 * 0.4 * std::cos(x) - 1.5 * v) / (0.6 + 0.2);
-    };
-    const auto step = [kPeriod = kPeriod](auto&& accelerate, double& x, double& v) {
-      for (int part = 0; part < 4; ++part) {
-        const double h = kPeriod / 4.0;
-        const double a1 = accelerate(x, v), v1 = v;
-        const double a2 = accelerate(x + 0.5 * h * v1, v + 0.5 * h * a1), v2 = v + 0.5 * h * a1;
-        const double a3 = accelerate(x + 0.5 * h * v2, v + 0.5 * h * a2), v3 = v + 0.5 * h * a2;
-        const double a4 = accelerate(x + h * v3, v + h * a3), v4 = v + h * a3;
-        x += h / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
-        v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
-      }
-    };
-    step(slope, q, qd);
-    step(
-        [&](double x, double v) {
-          Poses poses;
-          const JointVector at_q = JointVector::Constant(1, x);
-          forward_kinematics(arm->chain, at_q, poses);
-          ForwardDynamics work;
-          JointVector qdd;
-          forward_dynamics(arm->chain, poses, JointVector(JointVector::Constant(1, v)),
-                           JointVector(JointVector::Constant(1, tau)), work, qdd);
-          return qdd[0];
-        },
-        state.q[0], state.qd[0]);
+    test::integrate([&](double x, double v) { return test::pendulum_acceleration(own_tau, x, v); }, kPeriod,
+                    q, qd);
+    test::integrate([&](double x, double v) { return test::joint_acceleration(*arm, tau, x, v); }, kPeriod,
+                    state.q[0], state.qd[0]);
     ASSERT_NEAR(state.q[0], q, 1e-9) << time;
     ASSERT_NEAR(state.qd[0], qd, 1e-8) << time;
   }
@@ -161,13 +122,13 @@ TEST(JointTrajectoryLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration
 // With velocity commands, on the same arm: the PID's velocity within the joint's limit, and the drive's PI
 // under it, which begins with the torque that holds the arm.
 TEST(JointTrajectoryLaw, WithVelocityCommandsTheDriveFollowsThePid) {
-  RobotModel model = pendulum();
+  RobotModel model = test::pendulum();
   model.joints[0].limits.velocity = 1.2;  // which the command passes at first
   model.drive_velocity_gain = JointVector::Constant(1, 40.0);
   model.drive_velocity_integral = JointVector::Constant(1, 300.0);
   const auto arm = std::make_shared<const RobotModel>(model);
   Gains gains;
-  become(gains, "joint_trajectory_controller_velocity", 1);
+  change_controller(gains, "joint_trajectory_controller_velocity", 1);
   gains.joint_space_gains_p = gains.joint_space_gains_d = gains.joint_space_goal = JointVector::Zero(1);
   gains.joint_trajectory_duration = 1.0;
   gains.force_control_gains = JointVector::Zero(1);
