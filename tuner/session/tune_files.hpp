@@ -14,10 +14,10 @@ namespace armtune::internal {
 std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& result,
                                         const TuneSettings& settings);
 
-/// For a study that tunes on several arms: simulates all arms again, with the start gains and with the
+/// Simulates all arms of a study that tunes on several arms again, with the start gains and with the
 /// resulting gains. Returns the risk measures of the metrics over the arms for both gain sets. If the run has
-/// a folder, writes them as robust_errors.csv. Throws FailedError if they differ from those that the search
-/// computed in Simbody.
+/// a folder, writes these measures as robust_errors.csv. Throws FailedError if they differ from those that
+/// the search computed in Simbody.
 std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResult& result,
                                              const TuneSettings& settings, RankGroup& ranks);
 

@@ -1,9 +1,9 @@
 #pragma once
-// Stability margins as constraints of a study. For each demanded margin and each scenario there is one further
-// rollout of the nominal arm. Its scenario is called a corner: a copy of the scenario in which the margin's
-// quantity, such as a delay, has the demanded value. The constraint holds if the loop is stable in the corner.
-// `armtune margins` uses the same definition: the rollout completes, keeps the arm's velocity and position
-// limits, touches nothing, and saturates a torque in at most 1 % of the control periods.
+// Stability margins as constraints of a study. For each demanded margin and each scenario there is one
+// further rollout of the nominal arm. Its scenario is called a corner: a copy of the scenario in which the
+// margin's quantity, such as a delay, has the demanded value. The constraint holds if the loop is stable in
+// the corner. `armtune margins` uses the same definition: the rollout completes, keeps the arm's velocity and
+// position limits, touches nothing, and saturates a torque in at most 1 % of the control periods.
 
 #include <optional>
 #include <string>
@@ -30,8 +30,8 @@ struct MarginThreshold {
 };
 const std::array<MarginThreshold, kMarginCount>& margin_thresholds();
 
-/// Returns the demanded value of the margin's quantity in the scenario, in the unit of the quantity. For noise
-/// and control rate, this is the factor of the demand times the scenario's own value.
+/// Returns the demanded value of the margin's quantity in the scenario, in the unit of the quantity. For
+/// noise and control rate, this is the factor of the demand times the scenario's own value.
 double demanded_value(const MarginDemand& demand, const Scenario& scenario);
 
 /// True if the sensors of any scenario are noisy. Without noise, a factor on the noise demands nothing.

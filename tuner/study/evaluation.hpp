@@ -27,8 +27,8 @@ struct Evaluation {
   bool recalled = false;               ///< true if it comes from the journal of a resumed run
 };
 
-/// Returns the value that a search with penalties minimises: the objective plus `penalty` times the sum of the
-/// positive relative violations.
+/// Returns the value that a search with penalties minimises: the objective plus `penalty` times the sum of
+/// the positive relative violations.
 inline double penalised(const Evaluation& e, double penalty) {
   double sum = e.objective;
   for (const double g : e.relative) {
@@ -37,9 +37,9 @@ inline double penalised(const Evaluation& e, double penalty) {
   return sum;
 }
 
-/// True if a is better than b. A feasible candidate is better than an infeasible one. Of two feasible ones, the
-/// one with the smaller objective is better. Of two infeasible ones, the one with the smaller violation is
-/// better; if the violations are equal, the objective decides.
+/// True if a is better than b. A feasible candidate is better than an infeasible one. Of two feasible ones,
+/// the one with the smaller objective is better. Of two infeasible ones, the one with the smaller violation
+/// is better; if the violations are equal, the objective decides.
 inline bool better(const Evaluation& a, const Evaluation& b) {
   if (a.feasible != b.feasible) return a.feasible;
   if (!a.feasible && a.violation != b.violation) return a.violation < b.violation;

@@ -1,6 +1,7 @@
 #pragma once
-// Decides when a rollout counts as hopeless, because it breaks a constraint by far. A search then abandons the
-// rollout to save time. This is only possible for a metric that cannot become better later in the rollout.
+// Decides when a rollout counts as hopeless, because it breaks a constraint by far. A search then abandons
+// the rollout to save time. This is only possible for a metric that cannot become better later in the
+// rollout.
 
 #include <optional>
 #include <string>
@@ -20,14 +21,14 @@ struct Hopeless {
   double value = 0.0;  ///< for kFrom, in the metric's unit
 };
 
-/// True if a constraint on the metric, once broken, stays broken until the end of the rollout. This is the case
-/// for an upper limit of a metric that only grows, and for a lower limit of a metric that only shrinks. upper:
-/// true for an upper limit.
+/// True if a constraint on the metric, once broken, stays broken until the end of the rollout. This is the
+/// case for an upper limit of a metric that only grows, and for a lower limit of a metric that only shrinks.
+/// upper: true for an upper limit.
 bool can_be_hopeless(Metric metric, bool upper);
 
-/// Returns the value at which kAuto abandons a rollout. For an upper limit of joint_velocity/max_ratio this is
-/// twice the limit. For a lower limit of joint_position/min_margin it is the limit minus 0.1 rad or m. Returns
-/// nothing for other metrics and limits; then no rollout is abandoned.
+/// Returns the value at which kAuto abandons a rollout. For an upper limit of joint_velocity/max_ratio this
+/// is twice the limit. For a lower limit of joint_position/min_margin it is the limit minus 0.1 rad or m.
+/// Returns nothing for other metrics and limits; then no rollout is abandoned.
 std::optional<double> default_hopeless(Metric metric, bool upper, double limit);
 
 /// Reads a constraint's key `hopeless`, which is auto, never, or a number beyond the limit. node: null if the

@@ -14,85 +14,91 @@
 
 namespace armtune::internal {
 
-/// A term of the objective: weight * mean over scenarios of the metric's score relative to its value with the
-/// start gains (see term_score).
+/// A term of the objective. It is the weight times the mean of the metric's score (term_score.hpp) over the
+/// scenarios. The score is relative to the metric's value with the start gains, the reference.
 struct ObjectiveTerm {
-  Metric metric = Metric::kPositionMax;  ///< one that is a goal
+  Metric metric = Metric::kPositionMax;  ///< one of which either larger or smaller values are better
   double weight = 1.0;
-  double floor = 0.0;                  ///< smallest reference, in the metric's unit
+  double floor = 0.0;                  ///< the reference is at least this; in the metric's unit
   std::vector<std::size_t> scenarios;  ///< indices into the study's scenarios; the metric applies to each
 };
 
-/// A user's own objective, in place of terms. It is computed from one result for each of the study's
-/// scenarios, without corners. Less is better. It is called only if every scenario completed, by one thread
-/// at a time.
+/// A user's own objective, in place of terms. Its argument has one result for each of the study's scenarios,
+/// without corners (corner.hpp). It must return a number above zero; smaller numbers are better. It is called
+/// only if every scenario completed, by one thread at a time.
 using OwnObjective = std::function<double(const std::vector<RolloutResult>&)>;
 
-/// A bound that must hold in every listed scenario.
+/// A limit of a metric that must be kept in every listed scenario.
 struct Constraint {
   Metric metric = Metric::kJointVelocityMaxRatio;
-  bool upper = true;            ///< true: at_most; false: at_least
-  std::optional<double> limit;  ///< in the metric's unit; none: the start gains' own value
+  bool upper = true;            ///< true: at_most (upper limit); false: at_least (lower limit)
+  std::optional<double> limit;  ///< in the metric's unit; none: the metric's value with the start gains
   std::vector<std::size_t> scenarios;
-  Hopeless hopeless = {};  ///< condition to abandon a rollout, if the metric applies
-  /// Set for the constraint of a margin: the demand on its corner rollouts, in place of a metric. `scenarios`
-  /// are then the corners.
+  Hopeless hopeless = {};  ///< value of the metric at which a search abandons a rollout
+  /// Set only if the constraint demands a stability margin. It then replaces the metric and the limit, and
+  /// `scenarios` lists the corners.
   std::optional<MarginDemand> margin = std::nullopt;
 };
 
 class Objective {
  public:
-  /// scenarios: those that are simulated, corners included. start: results of the start gains, one per
-  /// scenario. A default `hopeless` is ignored in a scenario where it would abandon the start's own rollout.
-  /// Throws InputError, with `where` in front, if the start gains give no reference:
+  /// scenarios: all simulated scenarios, corners included. start: results of the start gains, one per
+  /// scenario. A constraint with Hopeless::Kind::kAuto abandons no rollout in a scenario where it would
+  /// abandon the rollout of the start gains. Throws InputError, with `where` in front, if the start gains
+  /// give no reference:
   /// - a scenario did not complete (corners may fail);
-  /// - a term has no reference above zero, neither its metric's value nor its floor;
-  /// - the metric of a constraint with the limit `start` has no value;
-  /// - a value of `hopeless` in the study would abandon the start's own rollout;
-  /// - `own` gives no number above zero.
+  /// - neither the metric's value nor the floor of a term is above zero;
+  /// - a constraint has the metric's value with the start gains as its limit, but there is no such value;
+  /// - a value of `hopeless` in the study would abandon the rollout of the start gains;
+  /// - `own` does not return a number above zero.
   Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
             const std::vector<Scenario>& scenarios, const std::vector<RolloutResult>& start,
             const std::string& where, OwnObjective own = {});
 
-  /// Sets objective, constraints, violation, feasible and status of `e` from its results. A scenario that did
-  /// not complete makes it infeasible and scores a finite penalty, more than any scenario that did complete.
-  /// The penalty is larger the earlier the scenario ended. For a hopeless one it is also larger the farther
-  /// the constraints were broken.
+  /// Sets objective, constraints, violation, feasible and status of `e` from its results. If a scenario other
+  /// than a corner did not complete, `e` is infeasible. In a term, a penalty is then the scenario's score. The
+  /// penalty is finite, and larger than the score of any completed scenario. It increases if the rollout ends
+  /// earlier, and for a hopeless rollout also if constraints are broken farther. The user's own objective is
+  /// replaced by a constant penalty.
   void judge(Evaluation& e) const;
 
-  /// Returns the limits at which a candidate's rollouts are abandoned, per simulated scenario. They are not
-  /// meant for the start's own rollouts.
+  /// Returns the limits at which a candidate's rollouts are abandoned, one entry per simulated scenario. Do
+  /// not use them for the rollouts of the start gains.
   const std::vector<EndLimits>& end_limits() const { return end_limits_; }
 
   const std::vector<ObjectiveTerm>& terms() const { return terms_; }
   const std::vector<Constraint>& constraints() const { return constraints_; }
-  /// Returns the limit of constraint c in scenario s (index into the study's).
+  /// Returns the limit of constraint c in simulated scenario s.
   double limit(std::size_t c, std::size_t s) const;
   /// Returns a name such as "joint_velocity/max_ratio <= 0.9".
   std::string constraint_name(std::size_t c) const;
-  /// Returns the number of values in Evaluation::constraints: one per constraint and one for completing.
+  /// Returns the number of values in Evaluation::constraints: one for each constraint, and a last one that is
+  /// satisfied if every scenario completed.
   std::size_t constraint_count() const { return constraints_.size() + 1; }
 
  private:
-  /// Returns 0 if the rollout completed, else 1 .. 2: larger the earlier it ended. For a hopeless rollout it
-  /// is also larger the farther its constraints were broken. A diverged one counts as broken without limit.
+  /// Returns 0 if the rollout completed. Otherwise returns a value from 1 to 2, which increases if the rollout
+  /// ended earlier. It also increases with how_far() if the rollout is hopeless. For other failures, such as a
+  /// diverged rollout, 1 is used in place of how_far().
   double incompleteness(const RolloutResult& result, std::size_t s) const;
-  /// Returns 0 .. 1: by how much, relative to its limit, the worst constraint that can be hopeless is broken.
+  /// Returns a measure, from 0 to 1, of how far the constraints are broken. It is w / (1 + w), where w is the
+  /// largest excess relative to its limit of all constraints that can be hopeless; 0 if none is broken.
   double how_far(const RolloutResult& result, std::size_t s) const;
   double reference(const ObjectiveTerm& term, std::size_t s) const {
     return std::max(term.floor, start_[s][term.metric]);
   }
   /// Returns the score of a term in one scenario, relative to the start.
   double score(const ObjectiveTerm& term, const RolloutResult& result, std::size_t s) const;
-  /// Returns by how much constraint c is broken in one scenario, in natural units; below zero where it holds.
+  /// Returns by how much constraint c is broken in one scenario, in the metric's unit. A value of zero or
+  /// less means that the constraint is satisfied.
   double excess(std::size_t c, const RolloutResult& result, std::size_t s) const;
-  /// Returns the excess relative to the limit, at most kLargestRatio.
+  /// Returns the excess divided by the limit, at most kLargestRatio.
   double relative_excess(std::size_t c, double excess, std::size_t s) const;
   void set_end_limits(const std::vector<Scenario>& scenarios, const std::string& where);
 
-  /// Returns the user's own objective, relative to the start.
+  /// Returns the user's own objective divided by its value with the start gains.
   double own_score(const Evaluation& e) const;
-  /// Returns the results that the user's own objective is given: those that are not of corners.
+  /// Returns the results for the user's own objective, that is, all except those of corners.
   std::vector<RolloutResult> of_scenarios(const std::vector<RolloutResult>& results) const;
 
   std::vector<ObjectiveTerm> terms_;
@@ -101,15 +107,15 @@ class Objective {
   std::vector<Constraint> constraints_;
   std::vector<std::vector<bool>> judged_;  ///< [constraint][scenario]: true if listed and the metric applies
   std::vector<EndLimits> end_limits_;      ///< [scenario]
-  std::vector<Scenario> corners_;          ///< [scenario]: all scenarios; read for corners only
-  std::vector<bool> pushed_;               ///< [scenario]: a corner, which counts for its margin only
+  std::vector<Scenario> corners_;          ///< [scenario]: every simulated scenario; used for corners only
+  std::vector<bool> pushed_;               ///< [scenario]: true for a corner; only its margin uses it
   std::vector<double> durations_;
   double weights_ = 0.0;  ///< sum over all terms
   std::vector<Metrics> start_;
 };
 
-/// Returns the limits at which rollouts are abandoned during a search. There are none before the start gains
-/// have made the objective.
+/// Returns the limits at which rollouts are abandoned during a search. There are none as long as there is no
+/// objective, that is, before the start gains were simulated.
 inline std::vector<EndLimits> end_limits(const std::optional<Objective>& objective) {
   return objective ? objective->end_limits() : std::vector<EndLimits>{};
 }

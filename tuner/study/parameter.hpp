@@ -14,20 +14,20 @@ enum class Scale { kLog, kLinear };
 struct GainEntry {
   const GainField* field = nullptr;
   std::size_t component = 0;
-  std::size_t count = 0;  ///< number of numbers that the field has
-  std::string name;       ///< "task_space_gains_p/rx", "slerpDurationErrorGain"
+  std::size_t count = 0;  ///< how many numbers the field has
+  std::string name;       ///< such as "task_space_gains_p/rx" or "slerpDurationErrorGain"
 };
 
-/// Returns all numbers that a gain set of an arm with these joints has, in the order of its controller's
-/// fields. The fields must outlive the entries.
+/// Returns an entry for every number in a gain set, in the order of its controller's fields. joints: the
+/// joints of the arm. The fields must outlive the entries.
 std::vector<GainEntry> gain_entries(const Gains& gains, const std::vector<std::string>& joints);
 
-/// True if a name stands for the entry: the entry's own, or that of a gain or of a force point that the entry
-/// is a part of ("task_space_gains_p", "force_control_gains/elbow_joint").
+/// True if the name denotes the entry. This is the entry's own name, or the name of a group that contains the
+/// entry. A group is a gain ("task_space_gains_p") or a force point ("force_control_gains/elbow_joint").
 bool is_named(const GainEntry& entry, const std::string& name);
 
-/// True if a gain set has that number. Fields that a file may leave out can be empty, and those of forces
-/// have two forms (core/control/force_gains.hpp).
+/// True if a gain set has the number of the entry. It may be missing, because a file can leave some fields
+/// out, and because the gains of forces have two forms (core/control/force_gains.hpp).
 bool has(const Gains& gains, const GainEntry& entry);
 double& value(Gains& gains, const GainEntry& entry);
 double value(const Gains& gains, const GainEntry& entry);
@@ -40,10 +40,10 @@ struct Parameter {
   Scale scale = Scale::kLog;
 };
 
-/// True if a value lies on one of the parameter's bounds, but for rounding.
+/// True if a value lies on one of the parameter's bounds, within rounding.
 bool on_bound(const Parameter& parameter, double value);
 
-/// A gain that follows a tuned parameter: its value is factor * the parameter's value.
+/// A gain that is not tuned itself. Its value is `factor` times the value of a tuned parameter.
 struct Link {
   GainEntry entry;
   std::size_t parameter = 0;  ///< index into ParameterSpace::free
@@ -51,21 +51,22 @@ struct Link {
 };
 
 struct ParameterSpace {
-  Gains start;  ///< with fixed values already in place
-  std::vector<Parameter> free;
+  Gains start;                  ///< start gains, with the fixed values
+  std::vector<Parameter> free;  ///< tuned parameters
   std::vector<Link> links;
 
-  /// Returns the search coordinates of the start: one per free parameter, 0 at its lower and 1 at its upper
-  /// bound.
+  /// Returns the search coordinates of the start gains. There is one per tuned parameter. It is 0 at the
+  /// lower bound and 1 at the upper bound, and linear between them on the parameter's scale.
   std::vector<double> start_point() const;
-  /// Returns the gains at search coordinates, which are clamped to [0, 1].
+  /// Returns the gains at search coordinates. Coordinates outside [0, 1] are clamped to this range.
   Gains gains_at(const std::vector<double>& x) const;
-  /// Returns the search coordinates of gains, clamped to the bounds.
+  /// Returns the search coordinates of gains. Values outside the bounds are clamped to them.
   std::vector<double> point_of(const Gains& gains) const;
 };
 
-/// Throws InputError, with `where` in front, if there is no parameter, or for the first parameter whose
-/// bounds do not make a range, whose start lies outside them, or whose scale does not fit.
+/// Throws InputError, with `where` in front, if there is no tuned parameter, or if a tuned parameter is not
+/// valid. Its lower bound must be below its upper bound, and not negative. Its start must lie between them.
+/// On a log scale, the lower bound must be above zero, and the ratio of the bounds at most 1e30.
 void validate(const ParameterSpace& space, const std::string& where);
 
 }  // namespace armtune::internal

@@ -9,15 +9,15 @@
 
 namespace armtune::internal {
 
-/// Reads the entries of `parameters`. Without the key (null) it returns all gains that are searched by
-/// default, between their default bounds. start: the values of gains that the file does not give.
-/// orientation: true if any scenario tracks an orientation; otherwise its gains are not searched by default.
-/// Throws InputError with file, line and key.
+/// Returns the search space that the entries of `parameters` describe. If the key is missing (node is null),
+/// the space contains all gains that are tuned by default, between their default bounds. start: the start
+/// gains; an entry can replace a value. orientation: true if any scenario tracks an orientation. If false, the
+/// gains that act only on the orientation are not tuned by default. Throws InputError with file, line and key.
 ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std::vector<std::string>& joints,
                           bool orientation);
 
-/// Reads the axes of `sweep`, over parameters of the space. all: every gain of the arm. Throws InputError
-/// with file, line and key.
+/// Reads the axes of `sweep`. Their parameters must be in the space. all: every gain of the arm. Throws
+/// InputError with file, line and key.
 std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<GainEntry>& all,
                                   const ParameterSpace& space);
 

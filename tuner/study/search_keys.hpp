@@ -6,11 +6,11 @@
 
 namespace armtune::internal {
 
-/// Sets the search of a study that names no algorithm. It is the search that won scripts/compare-algorithms;
-/// the table and profiles of this comparison are in results/algorithms.
+/// Sets the default algorithms and constraint handling, for a study that names no algorithm. They gave the
+/// best results in the comparison by scripts/compare-algorithms, which is stored in results/algorithms.
 void default_search(Study& study);
 
-/// Reads the keys of `search`, on top of default_search if they name no algorithm. Throws InputError with
+/// Reads the keys of `search`. If they name no algorithm, calls default_search first. Throws InputError with
 /// file, line and key.
 void read_search(const yaml::Node& node, Study& study);
 

@@ -15,11 +15,11 @@
 
 namespace armtune::internal {
 
-/// One direction of the coarse sweep that the search is compared with. Its parameters are all multiplied by
-/// the same factor.
+/// One axis of the sweep. The sweep is a coarse grid of gains, whose best point is compared with the result of
+/// the search. Along an axis, several parameters are multiplied by the same factor.
 struct SweepAxis {
   std::vector<std::size_t> parameters;  ///< indices into ParameterSpace::free
-  std::vector<double> factors;          ///< on the start's value; the result is clamped to the bounds
+  std::vector<double> factors;          ///< factors on the start values; results are clamped to the bounds
 };
 
 struct Study {
@@ -31,28 +31,29 @@ struct Study {
   std::vector<Scenario> scenarios;
   ParameterSpace space;
   std::optional<Gains> given;  ///< the file's start gains, if others replaced them
-  std::string given_failure;   ///< the scenario that is not completed with them, and how it ends
+  std::string given_failure;   ///< why the gains `given` cannot be used: the failing scenario and its end
   std::vector<ObjectiveTerm> terms;
-  OwnObjective own_objective;           ///< in place of terms, of a study that was not read from a file
+  OwnObjective own_objective;           ///< replaces the terms, for a study with a user's own objective
   std::vector<Constraint> constraints;  ///< those of `margins` come after the others
-  std::vector<MarginDemand> margins;    ///< demanded in every scenario, one corner rollout each
+  std::vector<MarginDemand> margins;    ///< demanded in every scenario; one corner rollout per scenario
   std::vector<SweepAxis> sweep;         ///< may be empty
-  std::optional<SampleSet> robust;      ///< none: the scenarios' own arms
-  std::optional<WarmStart> warm;        ///< none: the search begins at the start gains
-  VerdictThresholds thresholds;         ///< those of the simulation checks after the search
-  SolverOptions solver;
-  std::size_t starts = 1;          ///< local searches at once; the first begins where a single one would
-  std::string global_algorithm;    ///< searches before the local one does; empty: none
-  bool global_by_default = false;  ///< true if the study's file named neither the global nor the local one
-  double global_share = 0.5;       ///< its part of the evaluations that start and sweep leave
+  std::optional<SampleSet> robust;      ///< random arms to tune on; none: only the scenarios' own arms
+  std::optional<WarmStart> warm;        ///< none: the search starts at the start gains
+  VerdictThresholds thresholds;         ///< thresholds of the checks after the search
+  SolverOptions solver;                 ///< options of the local search
+  std::size_t starts = 1;          ///< number of local searches that run at the same time
+  std::string global_algorithm;    ///< global search before the local one; empty: no global search
+  bool global_by_default = false;  ///< true if the study's file named no algorithm at all
+  double global_share = 0.5;       ///< global search's share of the evaluations left after start and sweep
   long max_evaluations = 300;      ///< start and sweep included
-  double max_minutes = 0.0;        ///< wall time from the start to the last evaluation; 0: no limit
+  double max_minutes = 0.0;        ///< wall time from the start to the last evaluation [min]; 0: no limit
   Stepper stepper = Stepper::kMidpoint;
-  Engine engine = Engine::kSimbody;  ///< engine of sweep and search; Simbody simulates start and result too
-  double verify_share = 0.03;        ///< with another engine: part of evaluations and minutes left to Simbody
+  Engine engine = Engine::kSimbody;  ///< of sweep and search; Simbody always simulates start and result
+  double verify_share = 0.03;        ///< share of evaluations and minutes reserved for Simbody, if it is not
+                                     ///< the engine of the search
 };
 
-/// Returns the text with which messages about the study begin: its file, or its name.
+/// Returns the name with which messages about the study begin: the path of its file, or its name.
 inline const std::string& where(const Study& study) {
   return study.source.empty() ? study.name : study.source;
 }
