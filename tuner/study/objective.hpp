@@ -56,10 +56,10 @@ class Objective {
             const std::string& where, OwnObjective own = {});
 
   /// Sets objective, constraints, violation, feasible and status of `e` from its results. If a scenario other
-  /// than a corner did not complete, `e` is infeasible. In a term, a penalty is then the scenario's score. The
-  /// penalty is finite, and larger than the score of any completed scenario. It increases if the rollout ends
-  /// earlier, and for a hopeless rollout also if constraints are broken farther. The user's own objective is
-  /// replaced by a constant penalty.
+  /// than a corner did not complete, `e` is infeasible. In a term, a penalty is then the scenario's score.
+  /// The penalty is finite, and larger than the score of any completed scenario. It increases if the rollout
+  /// ends earlier, and for a hopeless rollout also if constraints are broken farther. The user's own
+  /// objective is replaced by a constant penalty.
   void judge(Evaluation& e) const;
 
   /// Returns the limits at which a candidate's rollouts are abandoned, one entry per simulated scenario. Do
@@ -77,9 +77,9 @@ class Objective {
   std::size_t constraint_count() const { return constraints_.size() + 1; }
 
  private:
-  /// Returns 0 if the rollout completed. Otherwise returns a value from 1 to 2, which increases if the rollout
-  /// ended earlier. It also increases with how_far() if the rollout is hopeless. For other failures, such as a
-  /// diverged rollout, 1 is used in place of how_far().
+  /// Returns 0 if the rollout completed. Otherwise returns a value from 1 to 2, which increases if the
+  /// rollout ended earlier. It also increases with how_far() if the rollout is hopeless. For other failures,
+  /// such as a diverged rollout, 1 is used in place of how_far().
   double incompleteness(const RolloutResult& result, std::size_t s) const;
   /// Returns a measure, from 0 to 1, of how far the constraints are broken. It is w / (1 + w), where w is the
   /// largest excess relative to its limit of all constraints that can be hopeless; 0 if none is broken.

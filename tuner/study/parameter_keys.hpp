@@ -11,8 +11,9 @@ namespace armtune::internal {
 
 /// Returns the search space that the entries of `parameters` describe. If the key is missing (node is null),
 /// the space contains all gains that are tuned by default, between their default bounds. start: the start
-/// gains; an entry can replace a value. orientation: true if any scenario tracks an orientation. If false, the
-/// gains that act only on the orientation are not tuned by default. Throws InputError with file, line and key.
+/// gains; an entry can replace a value. orientation: true if any scenario tracks an orientation. If false,
+/// the gains that act only on the orientation are not tuned by default. Throws InputError with file, line and
+/// key.
 ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std::vector<std::string>& joints,
                           bool orientation);
 

@@ -15,8 +15,8 @@
 
 namespace armtune::internal {
 
-/// One axis of the sweep. The sweep is a coarse grid of gains, whose best point is compared with the result of
-/// the search. Along an axis, several parameters are multiplied by the same factor.
+/// One axis of the sweep. The sweep is a coarse grid of gains, whose best point is compared with the result
+/// of the search. Along an axis, several parameters are multiplied by the same factor.
 struct SweepAxis {
   std::vector<std::size_t> parameters;  ///< indices into ParameterSpace::free
   std::vector<double> factors;          ///< factors on the start values; results are clamped to the bounds
@@ -24,13 +24,13 @@ struct SweepAxis {
 
 struct Study {
   std::string name;
-  std::string source;  ///< file; empty: a text
+  std::string source;  ///< path of the study's file; empty: the study was read from a text
   std::string description;
-  std::string gains;  ///< file of the start gains; empty: none
-  std::string node;   ///< the controller in that file, if it is a ROS parameter file with several; else empty
+  std::string gains;  ///< path of the file with the start gains; empty: none
+  std::string node;   ///< name of the controller in that file, if it contains several; otherwise empty
   std::vector<Scenario> scenarios;
   ParameterSpace space;
-  std::optional<Gains> given;  ///< the file's start gains, if others replaced them
+  std::optional<Gains> given;  ///< the study's own start gains, if armtune replaced them
   std::string given_failure;   ///< why the gains `given` cannot be used: the failing scenario and its end
   std::vector<ObjectiveTerm> terms;
   OwnObjective own_objective;           ///< replaces the terms, for a study with a user's own objective
@@ -41,12 +41,12 @@ struct Study {
   std::optional<WarmStart> warm;        ///< none: the search starts at the start gains
   VerdictThresholds thresholds;         ///< thresholds of the checks after the search
   SolverOptions solver;                 ///< options of the local search
-  std::size_t starts = 1;          ///< number of local searches that run at the same time
-  std::string global_algorithm;    ///< global search before the local one; empty: no global search
-  bool global_by_default = false;  ///< true if the study's file named no algorithm at all
-  double global_share = 0.5;       ///< global search's share of the evaluations left after start and sweep
-  long max_evaluations = 300;      ///< start and sweep included
-  double max_minutes = 0.0;        ///< wall time from the start to the last evaluation [min]; 0: no limit
+  std::size_t starts = 1;               ///< number of local searches that run at the same time
+  std::string global_algorithm;         ///< global search before the local one; empty: no global search
+  bool global_by_default = false;       ///< true if the study's file named no algorithm at all
+  double global_share = 0.5;   ///< global search's share of the evaluations left after start and sweep
+  long max_evaluations = 300;  ///< start and sweep included
+  double max_minutes = 0.0;    ///< wall time from the start to the last evaluation [min]; 0: no limit
   Stepper stepper = Stepper::kMidpoint;
   Engine engine = Engine::kSimbody;  ///< of sweep and search; Simbody always simulates start and result
   double verify_share = 0.03;        ///< share of evaluations and minutes reserved for Simbody, if it is not
@@ -61,10 +61,11 @@ inline const std::string& where(const Study& study) {
 /// Returns all scenarios that are simulated for an evaluation: the study's scenarios, then the corners of its
 /// margins, margin by margin.
 std::vector<Scenario> simulated_scenarios(const Study& study);
-/// Returns the number of results of an evaluation: one for each of these scenarios, combined over the arms of
-/// `robust`.
+/// Returns the number of results of an evaluation: one for each of these scenarios. With `robust`, a result is
+/// combined over the arms.
 std::size_t results_per_evaluation(const Study& study);
-/// Returns the number of rollouts of an evaluation, with all arms of `robust`.
+/// Returns the number of rollouts of an evaluation. With `robust`, there is one for each arm and scenario, and
+/// one for each corner.
 std::size_t rollouts_per_evaluation(const Study& study);
 
 /// Returns the study's solver, with the initial step of its warm start if there is one.
@@ -74,8 +75,8 @@ inline SolverOptions solver_of(const Study& study) {
   return solver;
 }
 
-/// Returns the algorithm of the global search, or an empty text if there is none. A default global search is
-/// left out after a warm start, which gives what it would look for.
+/// Returns the algorithm of the global search, or an empty text if there is none. The default global search is
+/// left out if the study has a warm start, because a warm start already gives a good point.
 inline std::string global_of(const Study& study) {
   return study.warm && study.global_by_default ? std::string() : study.global_algorithm;
 }

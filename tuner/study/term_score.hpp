@@ -6,19 +6,21 @@
 
 namespace armtune::internal {
 
-/// Largest score. A metric relative to its reference, and a violation relative to its limit, count at most
-/// this much: one wild value must not drown the rest.
+/// Largest score. Scores and relative violations are limited to this value, so that one extreme value does not
+/// outweigh all others.
 inline constexpr double kLargestRatio = 10.0;
 
-/// Returns the score, 0 to kLargestRatio, of a finite value of a metric that is a goal. reference: above
-/// zero.
+/// Returns the score, from 0 to kLargestRatio, of a finite value of a metric. Either larger or smaller values
+/// of the metric must be better. reference: above zero.
 ///
-/// With r = value / reference, it is
-/// - min(10, r) if less is better;
-/// - 1/r if more is better and r >= 1/5, so that twice the bandwidth is worth as much as half the error.
-///   Below that 1/r would reach the cap at r = 1/10 and stay there, and a search that starts from a negative
-///   margin would see no slope. The curve therefore continues as its own reflection about the point (1/5, 5):
-///   10 - 1/(2/5 - r), which is smooth there, finite at zero and below, and falls strictly with r.
+/// Let r be value / reference. The score is
+/// - min(10, r) if smaller values are better;
+/// - 1/r if larger values are better and r >= 1/5. Thus twice the bandwidth is worth as much as half the
+///   error;
+/// - 10 - 1/(2/5 - r) if larger values are better and r < 1/5. Here min(10, 1/r) would be constant below
+///   r = 1/10, so that a search that starts from a negative margin would see no slope. The curve used instead
+///   is the reflection of 1/r about the point (1/5, 5). It continues 1/r smoothly, is finite for r <= 0, and
+///   decreases strictly with r.
 double term_score(Metric metric, double value, double reference);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// A warm start: a search begins at the gains that an earlier run found. The study's own start gains remain
-// the reference of the objective.
+// A warm start: the search starts at gains that an earlier run found. The objective stays relative to the
+// study's own start gains.
 
 #include <optional>
 #include <string>
@@ -11,14 +11,14 @@
 namespace armtune::internal {
 
 struct WarmStart {
-  std::string source;                   ///< the gains file
-  Gains gains;                          ///< as read from it
-  std::vector<std::string> parameters;  ///< gains, or fields, taken from there; empty: all that are tuned
-  double box = 1.0;                     ///< width of the searched box in each parameter's range, (0, 1]
-  std::optional<double> step;           ///< initial step in the unit box; none: the study's times `box`
+  std::string source;                   ///< path of the gains file
+  Gains gains;                          ///< gains in this file
+  std::vector<std::string> parameters;  ///< names of the gains that are used; empty: all tuned gains
+  double box = 1.0;                     ///< searched share of each parameter's range, (0, 1]; 1: all of it
+  std::optional<double> step;           ///< initial step; none: the study's initial step times `box`
 };
 
-/// The point where the search begins, and the box that it does not leave, in search coordinates.
+/// The point where the search starts, and the bounds of the search, in search coordinates.
 struct WarmPoint {
   std::vector<double> x;
   std::vector<double> lower;
@@ -26,14 +26,15 @@ struct WarmPoint {
   std::vector<std::string> clamped;  ///< one line for each gain that lies outside the study's bounds
 };
 
-/// Sets source and gains from a run folder, or from a gains file that load_gains reads. Throws InputError,
-/// also if they are for another controller than the space's. relative_to: another folder to look for them
-/// in.
+/// Sets source and gains from a run folder, or from a gains file that load_gains can read. relative_to: a
+/// further folder in which `folder_or_file` is searched. Throws InputError if the gains cannot be read, or if
+/// they are for another controller than the gains of the space.
 void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const ParameterSpace& space,
                      const std::vector<std::string>& joints, const std::string& relative_to = {});
 
-/// Returns the point of a warm start. Throws InputError if a name is not that of a tuned gain or field, or if
-/// the gains lack one that is taken from them.
+/// Returns the point of a warm start. The bounds are centred on it; with `box` 1 they are those of the study.
+/// Throws InputError if a name in `parameters` is not that of a tuned gain, or if a gain that is used is
+/// missing in the warm start.
 WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm);
 
 }  // namespace armtune::internal

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/joint_trajectory_file.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/sim/support/without_numbers.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -159,33 +159,6 @@ const Style kStyles[] = {
 
 class ControllerFiles : public testing::TestWithParam<Style> {};
 
-/// The text with every number of digits, points, signs and exponents taken out.
-std::string without_numbers(const std::string& text) {
-  std::string rest;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto digit = [&text](std::size_t at) {
-      return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
-    };
-    const bool word =
-        i > 0 && (std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0 || text[i - 1] == '_');
-    const bool number =
-        !word && (digit(i) || (text[i] == '.' && (digit(i + 1) || text.substr(i, 4) == ".inf")) ||
-                  (text[i] == '+' && digit(i + 1)));
-    if (!number) {
-      rest += text[i];
-      continue;
-    }
-    const auto goes_on = [&text](std::size_t at) {
-      if (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '.') return true;
-      return (text[at] == '+' || text[at] == '-') && text[at - 1] == 'e';
-    };
-    for (++i; i < text.size() && goes_on(i);) ++i;
-    rest += '#';
-    --i;
-  }
-  return rest;
-}
-
 TEST_P(ControllerFiles, AreReadAndGetNothingButOtherNumbers) {
   const std::string text = GetParam().text;
   const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
@@ -199,7 +172,7 @@ TEST_P(ControllerFiles, AreReadAndGetNothingButOtherNumbers) {
   own(gains, "jtc_p") = Vec3(1.0 / 3.0, 1e-7, 4321.0);
   own(gains, "jtc_d")[1] = 1e22;
   const std::string changed = with_gains(text, controller, "f.yaml", gains, kJoints);
-  EXPECT_EQ(without_numbers(changed), without_numbers(text));
+  EXPECT_EQ(test::without_numbers(changed), test::without_numbers(text));
   EXPECT_THAT(changed, AllOf(HasSubstr("0.3333333333333333"), HasSubstr("1.0e-07"), HasSubstr("4321.0"),
                              HasSubstr("1.0e+22")));
   const RosController again = chosen_controller(ros_controllers(changed, "f.yaml"), "f.yaml");
@@ -210,208 +183,6 @@ TEST_P(ControllerFiles, AreReadAndGetNothingButOtherNumbers) {
 
 INSTANTIATE_TEST_SUITE_P(Styles, ControllerFiles, testing::ValuesIn(kStyles),
                          [](const auto& style) { return style.param.name; });
-
-std::string refused(const std::string& text, const std::vector<std::string>& joints = kJoints) {
-  return test::refusal([&] {
-    joint_trajectory_gains(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml", joints);
-  });
-}
-
-/// A ROS 2 file with these gains of j1.
-std::string with_j1(const std::string& gains, const std::string& commands = "effort") {
-  return fmt::format(
-      "c:\n  ros__parameters:\n    joints: [j1]\n    command_interfaces: [{}]\n    gains:\n      j1: {{{}}}\n",
-      commands, gains);
-}
-
-TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
-  const std::vector<std::string> j1 = {"j1"};
-  EXPECT_THAT(refused(with_j1("p: 1.0", "position"), j1),
-              AllOf(HasSubstr("f.yaml:3:"), HasSubstr("commands position"), HasSubstr("velocity commands")));
-  EXPECT_THAT(refused(with_j1("p: 1.0", "position, velocity"), j1), HasSubstr("commands position, velocity"));
-  EXPECT_THAT(
-      refused("c:\n  type: position_controllers/JointTrajectoryController\n  gains: {j1: {p: 1.0}}\n", j1),
-      HasSubstr("commands position_controllers/"));
-  EXPECT_THAT(
-      refused("c:\n  ros__parameters:\n    open_loop_control: true\n    command_interfaces: [velocity]\n"
-              "    gains: {j1: {p: 1.0}}\n",
-              j1),
-      AllOf(HasSubstr("f.yaml:3:"), HasSubstr("open_loop_control")));
-  EXPECT_THAT(refused(with_j1("p: 1.0, i: 2.0"), j1), AllOf(HasSubstr("f.yaml:6:"), HasSubstr("no i_clamp")));
-  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp_max: 2.0, i_clamp_min: -1.0"), j1), HasSubstr("[-1, 2]"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, u_clamp_max: 2.0"), j1), HasSubstr("u_clamp_max of j1"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, antiwindup_strategy: none"), j1), HasSubstr("'legacy'"));
-  EXPECT_THAT(refused(with_j1("p: \"1.0\""), j1),
-              AllOf(HasSubstr("gains/j1/p"), HasSubstr("expected a plain number")));
-  EXPECT_THAT(refused(with_j1("p: .inf"), j1), HasSubstr("gains/j1/p is .inf; expected a finite number"));
-  EXPECT_THAT(refused(with_j1("p: --1"), j1), HasSubstr("expected a plain number"));
-  EXPECT_THAT(refused(with_j1("p: 1.0")), HasSubstr("no gains for j2, j3"));
-  EXPECT_THAT(refused(with_j1("p: 1.0"), {"j_1"}),
-              AllOf(HasSubstr("no joint 'j1'"), HasSubstr("did you mean 'j_1'")));
-  EXPECT_THAT(refused("a: 1\n"), HasSubstr("no joint trajectory controllers with gains; the file has none"));
-  EXPECT_THAT(refused("a: {b: 1}\n---\nc: 2\n"), HasSubstr("f.yaml:2: a second document"));
-  EXPECT_THAT(refused("a: {b: 1\n"), HasSubstr("not valid YAML"));
-  EXPECT_THAT(refused("a: 'b\n"), HasSubstr("never closed"));
-  EXPECT_THAT(refused("a: 1\na: 2\n"), HasSubstr("duplicate key"));
-}
-
-TEST(ControllerFile, OnlyTextsWithAKeyOfThatNameAreTakenForSome) {
-  for (const char* text :
-       {"gains: 1", "a:\n  gains:\n", "{a: {gains: {}}}", "'gains': 1", "a: {b: 1,gains: 2}", "gains : 1"})
-    EXPECT_TRUE(may_hold_controllers(text)) << text;
-  for (const char* text :
-       {"# gains: runs/tuned\na: 1", "joint_space_gains_p: [1]", "gains_p: 1", "a: gains", "againsts:", ""})
-    EXPECT_FALSE(may_hold_controllers(text)) << text;
-}
-
-TEST(ControllerFile, IsReadAsRosReadsIt) {
-  const std::vector<std::string> j1 = {"j1"};
-  const auto read = [&j1](const std::string& text) {
-    return joint_trajectory_gains(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml", j1);
-  };
-  const auto ros1 = [](const std::string& gains) {
-    return "c:\n  type: effort_controllers/JointTrajectoryController\n  velocity_ff: {j1: 3.0}\n  gains: {j1: {" +
-           gains + "}}\n";
-  };
-  EXPECT_EQ(own(read(ros1("p: 1.0")), "jtc_antiwindup")[0], 0.0);
-  EXPECT_EQ(own(read(ros1("p: 1.0, antiwindup: true")), "jtc_antiwindup")[0], 1.0);
-  EXPECT_EQ(own(read(with_j1("p: 1.0, antiwindup: false")), "jtc_antiwindup")[0], 1.0)
-      << "no parameter of ROS 2";
-  EXPECT_EQ(own(read(ros1("p: 1.0, ff_velocity_scale: 2.0")), "jtc_ff_velocity_scale")[0], 3.0);
-  EXPECT_EQ(own(read(with_j1("p: 1.0, ff_velocity_scale: 2.0")), "jtc_ff_velocity_scale")[0], 2.0);
-  EXPECT_EQ(own(read(ros1("p: 1.0, i_clamp: -4.0")), "jtc_i_clamp")[0], 4.0) << "ROS 1 takes its size";
-  EXPECT_THAT(refused(ros1("p: 1.0, antiwindup: yes"), j1), HasSubstr("expected true or false"));
-  EXPECT_THAT(refused(ros1("p: 3e2"), j1), HasSubstr("point before an exponent"));
-  EXPECT_THAT(refused(ros1("p: 010"), j1), HasSubstr("leading zeros"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp: -4.0"), j1), HasSubstr("must contain 0"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, error_deadband: 0.1"), j1), HasSubstr("error_deadband of j1"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, angle_wraparound: true"), j1), HasSubstr("angle_wraparound of j1"));
-  EXPECT_THAT(refused("c:\n  ros__parameters:\n    joints: [j1]\n    gains: {j1: {p: 2.0}}\n", j1),
-              HasSubstr("command_interfaces is missing"));
-}
-
-TEST(ControllerFile, WithVelocityCommandsIsAKindOfItsOwn) {
-  const std::vector<std::string> j1 = {"j1"};
-  const std::string ros1 =
-      "c:\n  type: velocity_controllers/JointTrajectoryController\n  velocity_ff: {j1: 1.0}\n"
-      "  gains: {j1: {p: 5.0, i: 0.5, d: 0.1, i_clamp: 1.0}}\n";
-  for (const std::string& text :
-       {with_j1("p: 5.0, i: 0.5, d: 0.1, i_clamp: 1.0, ff_velocity_scale: 1.0", "velocity"), ros1}) {
-    const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
-    Gains gains = joint_trajectory_gains(controller, "f.yaml", j1);
-    EXPECT_EQ(gains.controller, "joint_trajectory_controller_velocity");
-    EXPECT_EQ(own(gains, "jtc_velocity_p")[0], 5.0);
-    EXPECT_EQ(own(gains, "jtc_velocity_i")[0], 0.5);
-    EXPECT_EQ(own(gains, "jtc_velocity_d")[0], 0.1);
-    EXPECT_EQ(own(gains, "jtc_velocity_i_clamp")[0], 1.0);
-    EXPECT_EQ(own(gains, "jtc_velocity_ff_velocity_scale")[0], 1.0);
-    own(gains, "jtc_velocity_p")[0] = 7.25;
-    const std::string changed = with_gains(text, controller, "f.yaml", gains, j1);
-    EXPECT_THAT(changed, HasSubstr("{p: 7.25, i: 0.5,"));
-    EXPECT_EQ(without_numbers(changed), without_numbers(text));
-    change_controller(gains, "joint_trajectory_controller", 1);
-    EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, j1); }),
-                HasSubstr("c is a joint_trajectory_controller_velocity"));
-  }
-}
-
-// What a file cannot hold is refused, not lost.
-TEST(ControllerFile, TheChangedFileReadsBackAsTheGains) {
-  const std::vector<std::string> j1 = {"j1"};
-  const auto into = [&j1](const std::string& text, const char* gain, double value) {
-    const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
-    Gains gains = joint_trajectory_gains(controller, "f.yaml", j1);
-    own(gains, gain)[0] = value;
-    return with_gains(text, controller, "f.yaml", gains, j1);
-  };
-  EXPECT_THAT(into(with_j1("p: 1.0, i: 1.0, i_clamp: 2.0"), "jtc_i_clamp", 3.0), HasSubstr("i_clamp: 3.0"));
-  EXPECT_THAT(into(with_j1("p: 1.0, i_clamp: 9.0, i_clamp_max: 2.0, i_clamp_min: -2.0"), "jtc_i_clamp", 3.0),
-              HasSubstr("i_clamp: 3.0, i_clamp_max: 3.0, i_clamp_min: -3.0"));
-  EXPECT_THAT(into(with_j1("p: 1.0, ff_velocity_scale: 2.0"), "jtc_ff_velocity_scale", 4.0),
-              HasSubstr("ff_velocity_scale: 4.0"));
-  EXPECT_THAT(test::refusal([&] { into(with_j1("p: 1.0, i: 0.0"), "jtc_i", 3.0); }), HasSubstr("no i_clamp"));
-  EXPECT_THAT(test::refusal([&] { into(with_j1("p: 1.0"), "jtc_antiwindup", 0.0); }),
-              AllOf(HasSubstr("jtc_antiwindup must become 0.0"), HasSubstr("would still give 1.0")));
-  // A number, a joint or all gains that somebody else has by an alias.
-  const std::string left =
-      "left:\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: &g {j1: {p: 1.0}}\n";
-  const std::string two =
-      left + "right:\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: *g\n";
-  for (
-      const std::string& text :
-      {with_j1("p: &x 1.0, tracking_time_constant: *x"),
-       std::string(
-           "left: &l\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: {j1: {p: 1.0}}\nright: *l\n")}) {
-    EXPECT_THAT(test::refusal([&] { into(text, "jtc_p", 3.0); }), HasSubstr("an alias elsewhere")) << text;
-  }
-  for (const char* name : {"left", "right"}) {
-    const RosController one = chosen_controller(ros_controllers(two, "f.yaml"), "f.yaml", name);
-    Gains gains = joint_trajectory_gains(one, "f.yaml", j1);
-    own(gains, "jtc_p")[0] = 3.0;
-    EXPECT_THAT(test::refusal([&] { with_gains(two, one, "f.yaml", gains, j1); }),
-                HasSubstr("an alias elsewhere"));
-  }
-}
-
-TEST(ControllerFile, OneOfSeveralIsAskedForByName) {
-  const std::string two =
-      with_j1("p: 1.0") +
-      "d:\n  ros__parameters:\n    joints: [j1]\n    command_interfaces: [effort]\n    gains: {j1: {p: 2.0}}\n";
-  const auto all = ros_controllers(two, "f.yaml");
-  EXPECT_THAT(test::refusal([&] { chosen_controller(all, "f.yaml"); }),
-              AllOf(HasSubstr("2 joint trajectory controllers"), HasSubstr("c, d; name one of them")));
-  EXPECT_EQ(own(joint_trajectory_gains(chosen_controller(all, "f.yaml", "d"), "f.yaml", {"j1"}), "jtc_p")[0],
-            2.0);
-  EXPECT_THAT(test::refusal([&] { chosen_controller(all, "f.yaml", "e"); }), HasSubstr("no controller 'e'"));
-}
-
-TEST(ControllerFile, NumbersThatAnAnchorSharesCanOnlyChangeTogether) {
-  const std::string text =
-      "c:\n  type: effort_controllers/JointTrajectoryController\n  joints: [j1, j2]\n"
-      "  gains: {j1: &all {p: 1.0, d: 2.0}, j2: *all}\n";
-  const std::vector<std::string> joints = {"j1", "j2"};
-  const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
-  Gains gains = joint_trajectory_gains(controller, "f.yaml", joints);
-  own(gains, "jtc_p") = JointVector::Constant(2, 7.0);
-  EXPECT_THAT(with_gains(text, controller, "f.yaml", gains, joints),
-              HasSubstr("&all {p: 7.0, d: 2.0}, j2: *all"));
-  own(gains, "jtc_p")[1] = 8.0;
-  EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
-              AllOf(HasSubstr("f.yaml:4: c: p of j1 and p of j2 share a number"), HasSubstr("7.0 and 8.0")));
-  own(gains, "jtc_p")[1] = 7.0;
-  own(gains, "jtc_i")[0] = 1.0;
-  EXPECT_THAT(
-      test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
-      AllOf(HasSubstr("jtc_i of j1 must become 1.0"), HasSubstr("would still give 0.0; set this gain")));
-}
-
-TEST(ControllerFile, ANumberThatAnAliasHasElsewhereIsNotChanged) {
-  const std::string text =
-      "c:\n  type: effort_controllers/JointTrajectoryController\n  constraints: {goal_time: *p}\n"
-      "  gains: {j1: {p: 1.0, d: 2.0}}\n";
-  const std::string after =
-      "c:\n  type: effort_controllers/JointTrajectoryController\n  joints: [j1]\n"
-      "  gains: {j1: {p: &p 1.0, d: 2.0}}\n  constraints: {goal_time: *p}\n";
-  EXPECT_THAT(test::refusal([&] { ros_controllers(text, "f.yaml"); }), HasSubstr("not valid YAML"));
-  const RosController controller = chosen_controller(ros_controllers(after, "f.yaml"), "f.yaml");
-  Gains gains = joint_trajectory_gains(controller, "f.yaml", {"j1"});
-  own(gains, "jtc_d")[0] = 3.0;
-  EXPECT_THAT(with_gains(after, controller, "f.yaml", gains, {"j1"}), HasSubstr("{p: &p 1.0, d: 3.0}"));
-  own(gains, "jtc_p")[0] = 3.0;
-  EXPECT_THAT(test::refusal([&] { with_gains(after, controller, "f.yaml", gains, {"j1"}); }),
-              AllOf(HasSubstr("f.yaml:4:"), HasSubstr("an alias elsewhere")));
-}
-
-// A thousand aliases of a map of a thousand values cost no more than the map.
-TEST(ControllerFile, AliasesOfAliasesCostNothing) {
-  std::string text = "a0: &a0 {x: 1}\n";
-  for (int i = 1; i < 60; ++i) text += fmt::format("a{}: &a{} [*a{}, *a{}]\n", i, i, i - 1, i - 1);
-  EXPECT_TRUE(yaml::read_placed(text, "f.yaml"));
-  std::string merges = "a0: &a0 {x: 1}\n";
-  for (int i = 1; i < 2000; ++i) merges += fmt::format("a{}: &a{} {{<<: *a{}, k{}: 1}}\n", i, i, i - 1, i);
-  EXPECT_THAT(test::refusal([&] { yaml::read_placed(merges, "f.yaml"); }),
-              HasSubstr("more than 200000 values"));
-}
 
 }  // namespace
 }  // namespace armtune::internal
