@@ -41,7 +41,7 @@ struct Study {
   std::optional<WarmStart> warm;        ///< none: the search starts at the start gains
   VerdictThresholds thresholds;         ///< thresholds of the checks after the search
   SolverOptions solver;                 ///< options of the local search
-  std::size_t starts = 1;               ///< number of local searches that run at the same time
+  std::size_t starts = 1;               ///< parallel local searches; the first starts as a single one would
   std::string global_algorithm;         ///< global search before the local one; empty: no global search
   bool global_by_default = false;       ///< true if the study's file named no algorithm at all
   double global_share = 0.5;   ///< global search's share of the evaluations left after start and sweep
@@ -61,11 +61,11 @@ inline const std::string& where(const Study& study) {
 /// Returns all scenarios that are simulated for an evaluation: the study's scenarios, then the corners of its
 /// margins, margin by margin.
 std::vector<Scenario> simulated_scenarios(const Study& study);
-/// Returns the number of results of an evaluation: one for each of these scenarios. With `robust`, a result is
-/// combined over the arms.
+/// Returns the number of results of an evaluation: one for each of these scenarios. With `robust`, a result
+/// is combined over the arms.
 std::size_t results_per_evaluation(const Study& study);
-/// Returns the number of rollouts of an evaluation. With `robust`, there is one for each arm and scenario, and
-/// one for each corner.
+/// Returns the number of rollouts of an evaluation. With `robust`, there is one for each arm and scenario,
+/// and one for each corner.
 std::size_t rollouts_per_evaluation(const Study& study);
 
 /// Returns the study's solver, with the initial step of its warm start if there is one.
@@ -75,32 +75,34 @@ inline SolverOptions solver_of(const Study& study) {
   return solver;
 }
 
-/// Returns the algorithm of the global search, or an empty text if there is none. The default global search is
-/// left out if the study has a warm start, because a warm start already gives a good point.
+/// Returns the algorithm of the global search, or an empty text if there is none. The default global search
+/// is left out if the study has a warm start, because a warm start already gives a good point.
 inline std::string global_of(const Study& study) {
   return study.warm && study.global_by_default ? std::string() : study.global_algorithm;
 }
 
-/// Parts that replace those of a study's text under `scenarios`, `gains` and `objective`, if they are given.
+/// Parts of a study that a program passes. Each part that is not empty replaces a key of the study's YAML.
 struct StudyParts {
-  std::vector<Scenario> scenarios = {};
-  std::optional<Gains> start = {};       ///< valid gains
-  std::vector<std::string> joints = {};  ///< names of the joints that `start` is for
-  OwnObjective objective = {};           ///< in place of `objective`
+  std::vector<Scenario> scenarios = {};  ///< replaces `scenarios`
+  std::optional<Gains> start = {};       ///< valid gains; replaces `gains`
+  std::vector<std::string> joints = {};  ///< names of the joints of the arm to which `start` belongs
+  OwnObjective objective = {};           ///< replaces `objective`
 };
 
-/// Reads a bundled study by name, or a file by path. controller: the kind of controller to tune (empty: that
-/// of the study). If it is not the kind of the start gains, these are converted (convert_gains), and all
-/// gains that are tuned by default are tuned. Throws InputError.
+/// Reads a bundled study by name, or a study file by path. controller: the kind of controller to tune; empty:
+/// the kind that the study gives. If the start gains are of another kind, they are converted (convert_gains).
+/// If `controller` is not the kind that the study gives, its `parameters` are ignored, and all gains that are
+/// tuned by default are tuned. Throws InputError.
 Study load_study(const std::string& name_or_path, const std::string& controller = {},
                  const StudyParts& parts = {});
 
-/// Reads a study from a text. It has no source, so that it can leave no run folder. Throws InputError.
+/// Reads a study from a text. The study has no source file, so it cannot have a run folder. Throws
+/// InputError.
 Study parse_study(const std::string& yaml, const StudyParts& parts);
 
-/// Returns the study with every default written out, as YAML that load_study reads. `gains_file`,
-/// `warm_file`: where the gains of start and warm start are kept beside it; an empty `warm_file` leaves the
-/// warm start out.
+/// Returns the study as YAML that load_study can read, with every default written out. gains_file, warm_file:
+/// paths, relative to the study's file, of the start gains and of the warm start's gains. If warm_file is
+/// empty, the warm start is left out.
 std::string study_yaml(const Study& study, const std::string& gains_file, const std::string& warm_file = {});
 
 }  // namespace armtune::internal

@@ -6,8 +6,8 @@
 
 namespace armtune::internal {
 
-/// Largest score. Scores and relative violations are limited to this value, so that one extreme value does not
-/// outweigh all others.
+/// Largest score. Scores and relative violations are limited to this value, so that one extreme value does
+/// not outweigh all others.
 inline constexpr double kLargestRatio = 10.0;
 
 /// Returns the score, from 0 to kLargestRatio, of a finite value of a metric. Either larger or smaller values

@@ -21,8 +21,8 @@ struct VerdictThresholds {
   double peak_growth = 1.5;    ///< largest ratio of the peak errors in the last and in the first minutes
 };
 
-/// One threshold: its key in a study's `verdict`, its unit, its meaning, its bounds, and the direction in which
-/// it is stricter.
+/// One threshold: its key in a study's `verdict`, its unit, its meaning, its bounds, and the direction in
+/// which it is stricter.
 struct ThresholdField {
   const char* name;
   const char* unit;

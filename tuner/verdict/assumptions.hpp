@@ -13,20 +13,20 @@
 
 namespace armtune::internal {
 
-/// Adds what the checks assume of the scenarios' arms, such as rotor inertia that a robot file does not give,
-/// and of the stepper that simulated them.
+/// Adds the assumptions about the scenarios' arms, such as rotor inertia that a robot file does not give, and
+/// about the simulation with this stepper.
 void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict);
 
-/// Adds that only another engine, not Simbody, simulated `which`, such as "the scenarios". Adds nothing for
-/// Simbody.
+/// Adds the assumption that the results of another engine than Simbody are right. which: what this engine
+/// simulated, such as "the scenarios". Adds nothing if the engine is Simbody.
 void add_engine_assumption(Engine engine, const std::string& which, SimulationVerdict& verdict);
 
 /// Adds the assumptions about the robot's own controller, if the gains belong to such a controller.
 void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
                                SimulationVerdict& verdict);
 
-/// Name of the random arms that only another engine than Simbody simulated. Arms that break a limit are
-/// simulated again in Simbody.
+/// Name for `which` in the yield check. If another engine simulates the random arms, Simbody simulates only
+/// those again that break a limit.
 inline constexpr const char* kArmsThatKept = "the random arms that keep their limits";
 
 }  // namespace armtune::internal

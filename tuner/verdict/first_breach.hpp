@@ -1,6 +1,6 @@
 #pragma once
-// Finds where a study's constraint is first broken. It gives the joint and the time, which the value of a
-// metric alone does not contain.
+// Finds at which joint and at which time a study's constraint is first broken. The value of a metric alone
+// does not contain this.
 
 #include <optional>
 #include <string>
@@ -17,8 +17,9 @@ struct Breach {
 };
 
 /// Simulates the scenario on every arm of the study until the metric is beyond the limit, and returns the
-/// earliest breach. It uses the native engine, or Simbody with the stepper `reference`. Returns nothing if no
-/// arm breaks the limit in that engine, or if the metric's value is only known at the end of a rollout.
+/// earliest breach. The engine is armtune's own (native), or Simbody if the study's stepper is `reference`.
+/// Returns nothing if no arm breaks the limit in that engine, or if the metric can become better again during
+/// a rollout.
 std::optional<Breach> first_breach(const Study& study, const Scenario& scenario, const Gains& gains,
                                    const EndLimit& limit);
 

@@ -13,14 +13,15 @@
 
 namespace armtune::internal {
 
-/// Adds one check for completion and one for each kind of joint limit. Each reports the earliest failure over
-/// the scenarios. set: name of the gain set in runs with several; may be empty.
+/// Adds one check for completion and one for each kind of joint limit. The check for completion reports the
+/// first scenario that failed. The check of a limit reports the failure with the earliest time over the
+/// scenarios. set: name of the gain set, empty if there is only one.
 void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::string& set,
                         SimulationVerdict& verdict);
 
-/// Adds a check for each kind of contact that is possible in the scenarios: with an obstacle that has a
-/// radius, and, with a cell, of the arm with itself, with a part of the cell and with the floor. results: one
-/// per scenario, in their order.
+/// Adds a check for each kind of contact that is possible in the scenarios. One kind is contact with an
+/// obstacle that has a radius. If the scenario has a cell, further kinds are contacts of the arm with itself,
+/// with a part of the cell, and with the floor. results: one per scenario, in their order.
 void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
                         const std::string& set, SimulationVerdict& verdict);
 
@@ -28,20 +29,23 @@ void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vecto
 void add_shake_notes(const std::vector<ScenarioResult>& results, const std::string& set,
                      SimulationVerdict& verdict);
 
-/// Lists as not checked the kinds of contact that are not possible in some of the scenarios. Without a cell
-/// none of them is checked.
+/// Adds the kinds of contact that cannot be detected in some of the scenarios to the list of things not
+/// checked. In a scenario without a cell, these are contacts with the arm itself, with the cell and with the
+/// floor.
 void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);
 
-/// Lists as not checked that the rotor inertia may differ from the estimate, if a scenario's is an estimate.
+/// If the rotor inertia is an estimate in any scenario, adds differences from the estimate to the list of
+/// things not checked.
 void add_unchecked_rotors(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);
 
-/// Adds a check of the limits in the extended scenarios, and one of the growth of errors. If no scenario ran
-/// to its end with errors to compare, the growth is listed as not checked instead.
+/// Adds a check of the limits in the extended scenarios, and a check of the growth of errors. If no extended
+/// scenario was completed and has errors to compare, the growth is added to the list of things not checked.
 void add_endurance_checks(const std::vector<EnduranceResult>& results, const VerdictThresholds& thresholds,
                           const std::string& set, SimulationVerdict& verdict);
 
-/// Lists as not checked what the simulated scenarios do not cover, each with the command that checks it, and
-/// what no simulation can check. extended: true if every scenario was extended.
+/// Adds to the list of things not checked: everything that the simulated scenarios do not cover, with the
+/// commands that check it, and everything that no simulation can check. extended: true if every scenario was
+/// extended.
 void add_unchecked(const std::vector<Scenario>& scenarios, bool extended, SimulationVerdict& verdict);
 
 }  // namespace armtune::internal

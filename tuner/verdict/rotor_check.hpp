@@ -1,5 +1,6 @@
 #pragma once
-// Checks whether gains tolerate rotor inertia that differs from the estimate.
+// Checks whether gains tolerate a rotor inertia that differs from its estimate. Robots whose data give no
+// rotor inertia can have an estimated one.
 
 #include <atomic>
 
@@ -10,9 +11,10 @@
 
 namespace armtune::internal {
 
-/// Adds a check that the loop holds, in the sense of a stability margin and simulated in Simbody, in every
-/// scenario whose robot has estimated rotor inertia. It is tested with the estimate divided by kRotorFactor
-/// and multiplied by it. Adds nothing if no inertia is estimated. Returns false if `stop` interrupted it.
+/// Adds a check that the loop is stable (margins.hpp) in every scenario whose robot has estimated rotor
+/// inertia. Simbody simulates each of these scenarios twice: with the estimate divided by kRotorFactor, and
+/// with the estimate multiplied by it. Adds nothing if no rotor inertia is estimated. Returns false if `stop`
+/// interrupted the check.
 bool add_rotor_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                      const std::atomic<bool>& stop, SimulationVerdict& verdict);
 

@@ -15,9 +15,9 @@ namespace armtune::internal {
 
 /// The result of a search.
 enum class SearchOutcome {
-  kTuned,           ///< feasible, and better than the start
-  kStart,           ///< the search found nothing better than the start gains
-  kLeastViolation,  ///< nothing feasible was found; the point breaks constraints less than the start
+  kTuned,           ///< gains that are feasible, and better than the start gains
+  kStart,           ///< the start gains, because nothing better was found
+  kLeastViolation,  ///< infeasible gains that violate the constraints less than the start gains
 };
 
 SearchOutcome outcome_of(const TuneResult& result);
@@ -37,13 +37,13 @@ struct DeepCheckOptions {
   std::function<void(const std::string& what, std::size_t done, std::size_t all)> progress;
 };
 
-/// Adds a check of each stability margin at its threshold, in every scenario, in Simbody. Lists the noise
-/// margin as not checked if no scenario has velocity noise. Returns false if `stop` interrupted it.
+/// Adds a check of each stability margin at its threshold, in every scenario, in Simbody. If no scenario has
+/// velocity noise, the noise margin is listed as not checked. Returns false if `stop` interrupted them.
 bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                        const std::atomic<bool>& stop, SimulationVerdict& verdict);
 
-/// Adds a check of the yield over random arms other than those that the study tunes on. Returns false if
-/// `stop` interrupted it.
+/// Adds a check of the yield. Its random arms are not those on which a study may tune. Returns false if `stop`
+/// interrupted the check.
 bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                      const std::atomic<bool>& stop, SimulationVerdict& verdict);
 

@@ -17,16 +17,17 @@ namespace armtune::internal {
 
 using SimulationVerdict = Verdict;
 
-/// Returns the verdict in one line, with which the report begins.
+/// Returns the verdict as one line, which stands at the top of the report.
 std::string headline(const SimulationVerdict& verdict);
 
 /// Adds a line to one of the verdict's lists, unless it is there already.
 void add_once(std::string text, std::vector<std::string>& list);
 
-/// Returns what no command of armtune checks.
+/// Returns the list of things that no command of armtune checks.
 const std::vector<std::string>& never_checked();
 
-/// Write and read verdict.yaml of a run folder. Reading throws InputError with file, line and key.
+/// Return the text of verdict.yaml for a verdict, and the verdict that such a file contains. Reading throws
+/// InputError with file, line and key.
 std::string verdict_yaml(const SimulationVerdict& verdict);
 SimulationVerdict read_verdict(const std::string& path);
 

@@ -8,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// Returns a check that the share of samples that keep their limits is at least `asked`. It names the
-/// most frequent failure: the scenario, the limit and, for velocity limits, the joint. samples: at least one.
+/// Returns a check that the yield over the samples is at least `asked`. It names the most frequent failure,
+/// that is, the scenario, the limit and, for velocity limits, the joint. samples: at least one.
 Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
                   double asked);
 
@@ -17,14 +17,14 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
 /// the control periods (95 % confidence 59.6 to 98.2 %)".
 std::string kept_text(const std::vector<MonteCarloSample>& samples);
 
-/// Returns the verdict on random arms alone. It lists what they leave unchecked, which includes the arm's own
-/// limits if options.limits replaces them. samples: at least one.
+/// Returns the verdict of a run that simulates only random arms. It lists what is not checked. This includes
+/// the arm's own limits if options.limits replaces them. samples: at least one.
 SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
                                 const std::vector<MonteCarloSample>& samples,
                                 const MonteCarloOptions& options);
 
-/// Returns, for example, "the default random changes of the arm (payloads up to 5 kg)". whose: "the default"
-/// or another owner of the changes.
+/// Returns, for example, "the default random changes of the arm (payloads up to 5 kg)". whose: the first
+/// words of the text: "the default", "the study's" or "the given".
 std::string spread_text(const std::string& whose, const Perturbation& perturbation);
 
 }  // namespace armtune::internal

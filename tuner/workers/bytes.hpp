@@ -1,6 +1,6 @@
 #pragma once
-// Converts values to bytes and back without any change of a bit, for messages between ranks. Numbers are
-// little-endian. A text is its length followed by its bytes.
+// Converts values to bytes and back, for messages between MPI ranks. The values that are read are
+// bit-identical to those written. Numbers are little-endian. A text is stored as its length and its bytes.
 
 #include <bit>
 #include <concepts>
@@ -18,7 +18,7 @@ class ByteWriter {
   void add(std::uint64_t value) {
     for (int i = 0; i < 8; ++i, value >>= 8U) bytes_.push_back(static_cast<char>(value & 0xFFU));
   }
-  /// Keeps the payload of NaN and the sign of -0.
+  /// Adds all bits of the number, also the payload of a NaN and the sign of -0.
   void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
   void add(std::string_view text) {
     add(std::uint64_t{text.size()});
@@ -35,8 +35,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// A reader that takes values out in the order they were added. Throws FailedError if the message is too
-/// short.
+/// A reader that returns values in the order in which they were added. Throws FailedError if the message is
+/// too short.
 class ByteReader {
  public:
   /// The bytes must outlive the reader.
@@ -52,7 +52,7 @@ class ByteReader {
   }
   double number() { return std::bit_cast<double>(integer()); }
   std::string text() { return std::string(take(integer())); }
-  /// Throws FailedError unless everything was taken.
+  /// Throws FailedError if some bytes were not read.
   void end() const {
     if (!left_.empty()) {
       throw FailedError("a message between ranks is " + std::to_string(left_.size()) + " bytes too long");

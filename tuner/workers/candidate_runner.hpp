@@ -1,6 +1,7 @@
 #pragma once
 // Simulates candidate gain sets in parallel. The unit of work is one rollout. Every worker has its own
-// simulation models, so results depend neither on the number of workers nor on where they run.
+// simulation models. Therefore the results do not depend on the number of workers, or on the process in which
+// a worker runs.
 
 #include <atomic>
 #include <functional>
@@ -15,18 +16,18 @@
 
 namespace armtune::internal {
 
-/// Returns the plan for simulating the scenarios with their own arms, or with each arm of a sample set. The
-/// corners of margins (corner.hpp) keep their own arm; they must come last.
+/// Returns the plan for simulating the scenarios with their own arms or, if there is a sample set, with each arm
+/// of it. The corners of margins (corner.hpp) are always simulated with their own arm; they must come last.
 RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
                     const std::optional<SampleSet>& samples);
 
 class CandidateRunner {
  public:
-  /// count: threads (>= 1). With a sample set every scenario is run with each of its arms, and the results
-  /// are combined into one per scenario.
+  /// count: number of threads (>= 1). If there is a sample set, every scenario is simulated with each arm of
+  /// the set, and the results are combined into one per scenario.
   CandidateRunner(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
                   std::optional<SampleSet> samples = std::nullopt);
-  /// pool: made for the plan_of these samples.
+  /// pool: must be made for the plan that plan_of() returns for these samples.
   CandidateRunner(std::unique_ptr<RolloutPool> pool, std::optional<SampleSet> samples);
 
   int count() const { return pool_->count(); }
@@ -34,13 +35,13 @@ class CandidateRunner {
   /// Returns the simulated time of all rollouts together [s].
   double simulated() const { return pool_->simulated(); }
 
-  /// Called once per candidate, as soon as all its scenarios are done: in any order, one call at a time, from
-  /// any thread.
+  /// A function that is called once per candidate, as soon as all its scenarios are done. The candidates come
+  /// in any order. The call is from any thread, one call at a time.
   using Finished = std::function<void(std::size_t candidate, const std::vector<RolloutResult>& results)>;
 
   /// Simulates all scenarios for every candidate. Returns results[candidate][scenario], in the order of the
-  /// scenarios as given. Returns nothing if `stop` became true before all were done; `finished` has received
-  /// the candidates that were done by then.
+  /// plan's scenarios. Returns nothing if `stop` became true before all were done. `finished` was then called
+  /// for the candidates that were done.
   std::optional<std::vector<std::vector<RolloutResult>>> run(std::span<const Gains> candidates,
                                                              const std::atomic<bool>& stop,
                                                              const Finished& finished = {},
@@ -52,7 +53,7 @@ class CandidateRunner {
     std::size_t scenario;
     std::size_t sample;
   };
-  /// Returns one result per scenario as given.
+  /// Combines one result per rollout into one result per scenario, in the order of the plan's scenarios.
   std::vector<RolloutResult> fold(std::vector<RolloutResult> results) const;
   std::size_t scenarios() const { return pool_->plan().scenarios.size(); }
   /// Returns the number of arms that a scenario is simulated with.
@@ -62,8 +63,8 @@ class CandidateRunner {
 
   std::unique_ptr<RolloutPool> pool_;
   std::optional<SampleSet> samples_;
-  std::vector<Unit> units_;         ///< of a candidate, longest scenario first
-  std::vector<std::size_t> place_;  ///< [scenario]: place of the result of its first sample
+  std::vector<Unit> units_;         ///< rollouts of a candidate, longest scenario first
+  std::vector<std::size_t> place_;  ///< [scenario]: index of the result of its first sample
 };
 
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@ namespace armtune::internal {
 
 struct Conditions {
   Engine engine = Engine::kSimbody;
-  /// Limits at which rollouts end early, per scenario and for all of its arms; empty: none.
+  /// Limits at which rollouts end early, one entry per scenario, for all arms. Empty if there are no limits.
   std::vector<EndLimits> limits = {};
 };
 

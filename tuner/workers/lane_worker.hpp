@@ -1,6 +1,7 @@
 #pragma once
-// A worker that simulates rollouts in this process. With the native engine it simulates several rollouts at
-// once, one in each SIMD lane of the processor. All other rollouts are simulated one at a time.
+// A worker that simulates rollouts in this process. With armtune's own engine (native) it simulates several
+// rollouts at the same time, one in each SIMD lane of the processor. All other rollouts are simulated one at a
+// time.
 
 #include <memory>
 #include <vector>
@@ -21,10 +22,11 @@ class LaneWorker : public RolloutWorker {
  private:
   class LaneGroup;
 
-  /// Starts jobs until the lanes are full or no more come. Jobs that cannot use lanes are simulated at once.
+  /// Starts jobs until the lanes are full, or until there are no more jobs. A job that cannot use lanes is
+  /// simulated completely before the next one is taken.
   void start_jobs(JobSource& jobs);
-  /// True if a further job could start now, whatever its kind. Otherwise no job is taken, so that other
-  /// workers can take it. share: see JobSource::share.
+  /// True if a further job could start now, whatever its kind. The worker takes a job only if this is true.
+  /// Otherwise other workers can take the job. share: see JobSource::share.
   bool has_room(std::size_t share) const;
   /// Returns the number of rollouts under way in all groups.
   std::size_t busy() const;
@@ -32,7 +34,7 @@ class LaneWorker : public RolloutWorker {
 
   const RolloutPlan& plan_;
   SingleRollouts alone_;
-  std::size_t most_obstacles_ = 0;  ///< largest number in a scenario of the plan
+  std::size_t most_obstacles_ = 0;  ///< largest number of obstacles in a scenario of the plan
   std::vector<std::unique_ptr<LaneGroup>> groups_;
 };
 

@@ -16,8 +16,8 @@ namespace armtune::internal {
 
 class LeaderJobs final : public JobSource {
  public:
-  /// first: the first job message. others: receives a message that arrives during the work and is not a job
-  /// of the same pool. Such a message ends the work.
+  /// first: the message with the first job. others: If a message arrives that is neither a job of the same
+  /// pool nor an order to stop, it is appended to this list, and the work ends.
   LeaderJobs(Transport& transport, const std::string& first, std::deque<std::string>& others);
 
   std::uint64_t pool() const { return pool_; }
@@ -26,9 +26,9 @@ class LeaderJobs final : public JobSource {
   std::optional<GivenJob> next() override;
   bool stopped() override;
   void finished(std::size_t number, RolloutResult&& result) override;
-  /// Answers every job that has arrived and is not finished as interrupted.
+  /// Sends the result "interrupted" for every job that has arrived and is not finished.
   void interrupt();
-  /// Reports that the worker failed and that no more results will follow.
+  /// Reports to rank 0 that the worker failed. No more results will follow. what: the reason.
   void fail(const std::string& what);
 
  private:
@@ -39,9 +39,9 @@ class LeaderJobs final : public JobSource {
   std::deque<std::string>& others_;
   std::uint64_t pool_ = 0;
   std::size_t share_ = 1;
-  std::map<std::uint64_t, RolloutJob> open_;  ///< by number: arrived and not finished
-  std::deque<std::uint64_t> waiting_;         ///< of those, not handed out yet
-  std::uint64_t last_ = 0;                    ///< number of the last one that arrived
+  std::map<std::uint64_t, RolloutJob> open_;  ///< jobs that have arrived and are not finished, by number
+  std::deque<std::uint64_t> waiting_;         ///< numbers of the open jobs that were not started yet
+  std::uint64_t last_ = 0;                    ///< number of the last job that arrived
   bool stopped_ = false;
   std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
 };

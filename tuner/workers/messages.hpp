@@ -15,9 +15,9 @@ namespace armtune::internal {
 enum class MessageKind : std::uint64_t {
   kHello,    ///< to rank 0: the host, and all facts that must be the same in every rank
   kGo,       ///< from rank 0: all ranks agree, jobs follow
-  kJob,      ///< from rank 0
+  kJob,      ///< from rank 0: a job
   kStop,     ///< from rank 0: interrupt the jobs up to this number
-  kResult,   ///< to rank 0
+  kResult,   ///< to rank 0: the result of a job
   kFailure,  ///< to rank 0: the job threw an exception
   kBye,      ///< from rank 0: no more messages; the exit code of all ranks
   kLeaving   ///< to rank 0: answer to kBye, the rank's last message
@@ -32,9 +32,9 @@ struct Hello {
 
 /// A job with the data that a rank needs to do it.
 struct NumberedJob {
-  std::uint64_t number = 0;  ///< among this rank's jobs
-  std::uint64_t pool = 0;    ///< a worker makes new plants for another pool
-  std::uint64_t share = 1;   ///< largest number of jobs that the rank is given at once
+  std::uint64_t number = 0;  ///< number of the job among the jobs of this rank
+  std::uint64_t pool = 0;    ///< number of the pool; the rank makes a new worker for each pool
+  std::uint64_t share = 1;   ///< largest number of jobs that the rank gets at the same time
   RolloutJob job;
 };
 

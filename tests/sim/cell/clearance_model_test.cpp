@@ -1,0 +1,210 @@
+// The distances of one moment.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/sim/cell/busy_cell.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(ClearanceModel, NoDistanceChangesByMoreThanItsLeversAllow) {
+  std::mt19937 generator(11);
+  int moved = 0;
+  for (const auto& arm : test::shaped_arms()) {
+    const ClearanceModel model(arm, test::busy_cell());
+    ASSERT_FALSE(model.pairs().empty());
+    for (int sample = 0; sample < 100; ++sample) {
+      const JointVector q = test::random_configuration(generator, *arm);
+      const double step = sample % 2 == 0 ? 0.01 : 1.0;
+      JointVector other = test::random_configuration(generator, *arm);
+      other = q + step * (other - q);
+      for (const ContactPair& pair : model.pairs()) {
+        const double change =
+            std::abs(test::distance_at(model, pair, q, 0.0) - test::distance_at(model, pair, other, 0.0));
+        const double allowed = pair.lever.dot((other - q).cwiseAbs());
+        EXPECT_LE(change, allowed + 1e-9) << arm->name << ", " << model.name(pair);
+        moved += change > 0.1 * allowed ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(moved, 1000) << "or the levers say nothing";
+}
+
+/// The least of |a0 + s da - b0 - t db|^2 over s, t in [0, 1]: the quadratic program of two segments, solved
+/// by going through every set of active bounds.
+double least_between(const Vec3& a0, const Vec3& da, const Vec3& b0, const Vec3& db) {
+  const auto at = [&](double s, double t) { return (a0 + s * da - b0 - t * db).norm(); };
+  double least = std::numeric_limits<double>::infinity();
+  const auto clamped = [](double x) { return std::clamp(std::isfinite(x) ? x : 0.0, 0.0, 1.0); };
+  for (const double end : {0.0, 1.0}) {
+    least = std::min(least, at(end, clamped((a0 + end * da - b0).dot(db) / db.squaredNorm())));
+    least = std::min(least, at(clamped((b0 + end * db - a0).dot(da) / da.squaredNorm()), end));
+  }
+  Eigen::Matrix2d H;
+  H << da.dot(da), -da.dot(db), -da.dot(db), db.dot(db);
+  const Eigen::Vector2d free = H.fullPivLu().solve(Eigen::Vector2d(-da.dot(a0 - b0), db.dot(a0 - b0)));
+  if (free.minCoeff() >= 0.0 && free.maxCoeff() <= 1.0) least = std::min(least, at(free[0], free[1]));
+  return least;
+}
+
+/// A capsule of an arm in frame 0 at joint positions whose poses are given: its axis.
+struct Axis {
+  Vec3 from, along;
+  double radius;
+};
+Axis axis_of(const Shape& shape, const Poses& poses) {
+  const auto k = static_cast<std::size_t>(std::max(shape.body, 0));
+  const Mat3 R = shape.body < 0 ? Mat3(Mat3::Identity()) : poses.R_0B[k];
+  const Vec3 p = shape.body < 0 ? Vec3(Vec3::Zero()) : poses.p_0B[k];
+  const Vec3 z = R * shape.R_BS.col(2);
+  return {p + R * shape.p_BS - 0.5 * shape.size[1] * z, shape.size[1] * z, shape.size[0]};
+}
+
+// Against a computation that shares nothing with the model but the arm's file and its kinematics. Where
+// bodies meet, by how much they do.
+TEST(ClearanceModel, DistancesOfArmsOfCapsulesAreThoseOfASmallQuadraticProgram) {
+  std::mt19937 generator(18);
+  int met = 0;
+  for (const char* name : {"ur5e", "fr3", "iiwa14"}) {
+    const auto arm = load_robot(name);
+    const ClearanceModel model(arm, Cell{});
+    for (int sample = 0; sample < 1000; ++sample) {
+      const JointVector q = test::random_configuration(generator, *arm);
+      const Poses poses = test::poses_at(arm->chain, q);
+      double least = std::numeric_limits<double>::infinity(), found = least;
+      for (const ContactPair& pair : model.pairs())
+        found = std::min(found, model.distance(pair, poses, Vec3::Zero()).distance);
+      for (const Shape& a : arm->shapes) {
+        for (const Shape& b : arm->shapes) {
+          if (!a.collision || !b.collision || b.body - a.body < 2) continue;
+          const bool looked_at =
+              std::any_of(model.pairs().begin(), model.pairs().end(), [&](const ContactPair& pair) {
+                return model.arm().solids[pair.other].link == a.link_name &&
+                       model.arm().solids[pair.solid].link == b.link_name;
+              });
+          ASSERT_TRUE(looked_at) << a.link_name << ", " << b.link_name;
+          const Axis one = axis_of(a, poses), other = axis_of(b, poses);
+          least = std::min(
+              least, least_between(one.from, one.along, other.from, other.along) - one.radius - other.radius);
+        }
+      }
+      EXPECT_NEAR(found, least, 1e-6) << name << ", sample " << sample;
+      met += least < 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+/// Closest points are points of the bodies, of the floor too, and the distance changes along `away`.
+TEST(ClearanceModel, TheClosestPointOfTheArmIsOnItsSurface) {
+  std::mt19937 generator(16);
+  int of_floor = 0;
+  for (const auto& arm : test::shaped_arms()) {
+    const ClearanceModel model(arm, test::busy_cell());
+    for (int sample = 0; sample < 20; ++sample) {
+      const JointVector q = test::random_configuration(generator, *arm);
+      const Poses poses = test::poses_at(arm->chain, q);
+      for (const ContactPair& pair : model.pairs()) {
+        const Closest found = model.distance(pair, poses, test::place_of(model, pair, 0.0));
+        const ArmSolid& solid = model.arm().solids[pair.solid];
+        const auto k = static_cast<std::size_t>(solid.body);
+        const Mat3 R = poses.R_0B[k] * solid.placed.R_BS;
+        const Vec3 p = poses.p_0B[k] + poses.R_0B[k] * solid.placed.p_BS;
+        if (found.distance <= 0.0 && pair.of != Clearance::kFloor) continue;
+        // It is the farthest point of the body on the way to the other.
+        const double reach = support(solid.placed.solid, -(R.transpose() * found.away));
+        EXPECT_NEAR(-found.away.dot(found.on_a - p), reach, 1e-8) << arm->name << ", " << model.name(pair);
+        if (pair.of != Clearance::kFloor) continue;
+        ++of_floor;
+        // By the first joint, the distance changes as that point does.
+        JointVector moved = q;
+        const auto at = [&](double step) {
+          moved[0] = q[0] + step;
+          return test::distance_at(model, pair, moved, 0.0);
+        };
+        const Vec3 axis = poses.R_0B[0].col(2);
+        const Vec3 rate = arm->chain.motion[0] == JointMotion::kRevolute
+                              ? Vec3(axis.cross(found.on_a - poses.p_0B[0]))
+                              : axis;
+        const double slope = (at(1e-6) - at(-1e-6)) / 2e-6;
+        if (solid.placed.solid.kind == SolidKind::kCapsule && std::abs(R.col(2).dot(found.away)) > 1e-3) {
+          EXPECT_NEAR(slope, found.away.dot(rate), 1e-4) << arm->name << ", " << model.name(pair);
+        }
+      }
+    }
+  }
+  EXPECT_GT(of_floor, 500);
+}
+
+TEST(ClearanceModel, LeavesNeighboursOutAndLinksWhoseShapesMeetByTheirMake) {
+  RobotModel arm = test::with_rods(test::seven_joint_arm());
+  Shape& big = arm.shapes[5];
+  big.kind = ShapeKind::kSphere;
+  big.size = {1.0, 0.0, 0.0};  // about everything near it
+  const ClearanceModel model(std::make_shared<const RobotModel>(arm), Cell{});
+  EXPECT_THAT(model.left_out_by_their_make(),
+              testing::Contains(arm.joints[2].link + " and " + arm.joints[4].link));
+  EXPECT_THAT(ClearanceModel(std::make_shared<const RobotModel>(test::with_rods(test::ur10())), Cell{})
+                  .left_out_by_their_make(),
+              testing::IsEmpty());
+  for (const ContactPair& pair : model.pairs()) {
+    EXPECT_EQ(pair.of, Clearance::kSelf);
+    EXPECT_GT(model.arm().solids[pair.solid].body - model.arm().solids[pair.other].body, 1);
+  }
+}
+
+/// A first joint that swings about a horizontal axis can run into the floor, and is looked at.
+TEST(ClearanceModel, TheFirstLinkIsNoPairWithTheFloorOnlyWhereItStandsOnIt) {
+  RobotModel arm = test::with_rods(test::seven_joint_arm());
+  arm.chain.R_PB0[0] = Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitX()).toRotationMatrix();
+  arm.chain.p_PB0[0] = Vec3(0.0, 0.0, 0.05);
+  const auto has_first = [](const ClearanceModel& model) {
+    return std::any_of(model.pairs().begin(), model.pairs().end(), [&](const ContactPair& pair) {
+      return pair.of == Clearance::kFloor && model.arm().solids[pair.solid].body == 0;
+    });
+  };
+  Cell cell;
+  cell.floor = 0.0;
+  EXPECT_TRUE(has_first(ClearanceModel(std::make_shared<const RobotModel>(arm), cell)));
+  cell.floor = 2.0;
+  EXPECT_FALSE(has_first(ClearanceModel(std::make_shared<const RobotModel>(arm), cell)));
+}
+
+TEST(ClearanceModel, OfABundledArmSaysWhichLinksAreLeftOut) {
+  const ClearanceModel model(load_robot("ur5e"), Cell{});
+  EXPECT_THAT(
+      model.left_out(),
+      ElementsAre(ElementsAre("base_link", "shoulder_link"), ElementsAre("shoulder_link", "upper_arm_link"),
+                  ElementsAre("upper_arm_link", "forearm_link"), ElementsAre("forearm_link", "wrist_1_link"),
+                  ElementsAre("wrist_1_link", "wrist_2_link"), ElementsAre("wrist_2_link", "wrist_3_link")));
+}
+
+TEST(ClearanceModel, TheFloorIsAcrossGravityWhereverTheBaseIs) {
+  RobotModel arm = test::with_rods(test::ur10());
+  arm.chain.gravity = Vec3(0.0, 0.0, 9.81);  // from the ceiling
+  Cell cell;
+  cell.floor = -2.0;
+  const ClearanceModel model(std::make_shared<const RobotModel>(arm), cell);
+  const Poses poses = test::poses_at(arm.chain, JointVector::Zero(6));
+  for (const ContactPair& pair : model.pairs()) {
+    if (pair.of != Clearance::kFloor) continue;
+    const ArmSolid& solid = model.arm().solids[pair.solid];
+    const auto k = static_cast<std::size_t>(solid.body);
+    const Mat3 R = poses.R_0B[k] * solid.placed.R_BS;
+    const Vec3 p = poses.p_0B[k] + poses.R_0B[k] * solid.placed.p_BS;
+    // Down is +z: the lowest point is the one with the largest z.
+    const double lowest = p.z() + support(solid.placed.solid, R.transpose() * Vec3::UnitZ());
+    EXPECT_NEAR(model.distance(pair, poses, Vec3::Zero()).distance, 2.0 - lowest, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace armtune::internal
