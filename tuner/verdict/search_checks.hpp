@@ -42,8 +42,8 @@ struct DeepCheckOptions {
 bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                        const std::atomic<bool>& stop, SimulationVerdict& verdict);
 
-/// Adds a check of the yield. Its random arms are not those on which a study may tune. Returns false if `stop`
-/// interrupted the check.
+/// Adds a check of the yield over random arms. If the study tunes on random arms, the check uses other ones.
+/// Returns false if `stop` interrupted the check.
 bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                      const std::atomic<bool>& stop, SimulationVerdict& verdict);
 

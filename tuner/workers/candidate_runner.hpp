@@ -16,8 +16,9 @@
 
 namespace armtune::internal {
 
-/// Returns the plan for simulating the scenarios with their own arms or, if there is a sample set, with each arm
-/// of it. The corners of margins (corner.hpp) are always simulated with their own arm; they must come last.
+/// Returns the plan for simulating the scenarios with their own arms or, if there is a sample set, with each
+/// arm of this set. The corners of margins (corner.hpp) are always simulated with their own arm. They must
+/// come last in `scenarios`.
 RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
                     const std::optional<SampleSet>& samples);
 

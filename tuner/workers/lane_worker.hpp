@@ -1,7 +1,7 @@
 #pragma once
 // A worker that simulates rollouts in this process. With armtune's own engine (native) it simulates several
-// rollouts at the same time, one in each SIMD lane of the processor. All other rollouts are simulated one at a
-// time.
+// rollouts at the same time, one in each SIMD lane of the processor. All other rollouts are simulated one at
+// a time.
 
 #include <memory>
 #include <vector>

@@ -22,50 +22,55 @@ struct Peer {
   std::string host;
   std::uint64_t jobs = 0;  ///< number of jobs sent so far
   bool lost = false;       ///< true if it did not answer in time
-  bool told = false;       ///< true if the user was told that rank 0 waits for it
+  bool told = false;       ///< true after the message to the user that rank 0 waits for this rank
 };
 
 class RankGroup {
  public:
-  /// transport: null if this process is alone. If rank 0 waits for another rank for more than kSayAfter, it
-  /// reports so to `notice`, once for each rank.
+  /// transport: null if this process works alone. If rank 0 waits for another rank for more than kSayAfter,
+  /// it reports this to `notice`, once for each rank.
   explicit RankGroup(std::unique_ptr<Transport> transport, Notice notice = {});
   ~RankGroup();
   RankGroup(const RankGroup&) = delete;
   RankGroup& operator=(const RankGroup&) = delete;
 
+  /// True if there are several MPI ranks.
   bool several() const { return transport_ != nullptr; }
+  /// True if this process distributes the rollouts: it works alone, or it is rank 0.
   bool leads() const { return !transport_ || transport_->rank() == 0; }
   int ranks() const { return transport_ ? transport_->size() : 1; }
 
   /// Compares command line, versions and arithmetic of all ranks. Every process of a run calls it first, with
-  /// its own command line. Returns true if the run can begin. If a rank differs, rank 0 throws InputError.
-  /// The other ranks then return false after rank 0 has ended, and have nothing left to do.
+  /// its own command line. Returns true if the run can begin. If a rank differs, rank 0 throws InputError. In
+  /// the other ranks, the function then returns false as soon as rank 0 has dismissed them.
   bool call_roll(const std::string& command_line);
 
-  /// Begins the work on a plan. Every process of a command calls it once, as soon as it has the plan. Returns
-  /// true in the process that leads. In any other process it does jobs until the leader needs no more, and
-  /// then returns false: nothing is left to do. threads: of a process that is alone; a rank is one worker. In
-  /// rank 0 throws InputError if `threads` is more than 1 among ranks, if a rank could not make its plan, or
-  /// if its plan differs. Also throws FailedError if a rank does not answer within kStartSeconds.
+  /// Begins the work on a plan. Every process of a run calls it once, as soon as it has made the plan. In the
+  /// process that leads, it returns true. In any other process it does jobs until rank 0 has no more of them,
+  /// and then returns false. threads: number of threads of a process that works alone; each rank is one
+  /// worker. Rank 0 throws InputError if `threads` is more than 1 although there are several ranks, if
+  /// another rank could not make its plan, or if the plan of another rank differs. Rank 0 throws FailedError
+  /// if a rank does not answer within kStartSeconds.
   bool begin(RolloutPlan plan, int threads);
 
-  /// Returns unused workers of the plan, for the process that leads. Workers of an earlier call may be used
-  /// again, but not at the same time.
+  /// Returns a pool of new workers for the plan. Call it only in the process that leads. Pools of earlier
+  /// calls can still be used, but not at the same time as the new one.
   std::unique_ptr<RolloutPool> pool();
 
-  /// Reports what prevented this rank from calling begin(), in any rank but 0. Rank 0 throws it. Returns once
-  /// rank 0 has dismissed this rank.
+  /// Reports to rank 0 why this rank cannot call begin(). Rank 0 then throws InputError with this text. Call
+  /// it only in other ranks than 0. Returns as soon as rank 0 has dismissed this rank.
   void fail(const std::string& what);
 
-  /// True once rank 0 has dismissed this rank, in any rank but 0. exit_code() is then that of the run.
+  /// True if rank 0 has dismissed this rank, in other ranks than 0. exit_code() is then the exit code of the
+  /// run.
   bool left() const { return left_; }
   int exit_code() const { return exit_code_; }
 
-  /// Dismisses the other ranks with the exit code, in rank 0, whether or not the work succeeded. Returns
-  /// false if one of them was given up before, with an exception. Throws FailedError if one does not leave.
-  /// In both cases call abort() then.
+  /// Dismisses the other ranks, and sends them the exit code. Call it only in the process that leads, whether
+  /// or not the work succeeded. Returns false if a rank did not answer in time before. Throws FailedError if
+  /// a rank does not answer now. In both cases, call abort() afterwards.
   bool end(int exit_code);
+  /// Ends the processes of all ranks at once.
   void abort(int exit_code) { transport_->abort(exit_code); }
 
  private:
@@ -93,11 +98,13 @@ class RankGroup {
   int exit_code_ = 0;
 };
 
-/// Tells the user that rank 0 has waited for a peer for kSayAfter, once for each peer. what: the job that it
-/// was asked for, if any; limit: time after which rank 0 gives it up [s].
+/// Reports to `notice` that rank 0 waits for a peer. Does nothing before kSayAfter, or if it was reported for
+/// this peer before. seconds: duration of the wait [s]; what: the job that the peer does, may be empty;
+/// limit: duration after which the run fails [s].
 void say_waiting(Peer& peer, double seconds, const std::string& what, double limit, const Notice& notice);
 
-/// Returns the worker for rank 0 that passes jobs to `peer`. All arguments but the number must outlive it.
+/// Returns a worker in rank 0 that sends its jobs to `peer`. pool: number of its pool. The other arguments
+/// must outlive the worker.
 std::unique_ptr<RolloutWorker> rank_worker(Transport& transport, Peer& peer, std::uint64_t pool,
                                            const RolloutPlan& plan, const Notice& notice);
 

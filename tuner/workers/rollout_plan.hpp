@@ -1,6 +1,6 @@
 #pragma once
-// The data that all workers of a run have before it begins: the scenarios, the integrator and the random
-// arms. Also the job of a worker, which is one rollout with given gains.
+// The plan of a run and the job of a worker. The plan contains the data that all workers get before the run
+// begins: the scenarios, the integrator and the random arms. A job is one rollout with given gains.
 
 #include <cstdint>
 #include <limits>
@@ -18,21 +18,21 @@
 
 namespace armtune::internal {
 
-/// A random draw of arms that replace the scenarios' own arms.
+/// The random arms that replace the scenarios' own arms.
 struct Draw {
   Perturbation perturbation;
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> own = {};  ///< number that stands for the scenario's own arm, if one does
+  std::optional<std::uint64_t> own = {};  ///< sample number of the scenario's own arm, if it is used too
 };
 
 struct RolloutPlan {
   std::vector<Scenario> scenarios;
   Stepper stepper = Stepper::kMidpoint;
-  std::optional<Draw> draw;
-  /// Number of scenarios, from the first on, whose arm is drawn. The others keep their own arm.
+  std::optional<Draw> draw;  ///< none: all scenarios keep their own arms
+  /// The first `drawn` scenarios are simulated with the arms of `draw`. The others keep their own arms.
   std::size_t drawn = std::numeric_limits<std::size_t>::max();
   double deadline = 0.0;  ///< for one rollout, wall clock [s]; 0: derived from its duration
-  /// Names and values of further facts that must agree in all processes, such as hashes of files.
+  /// Names and values of further facts that must be the same in all processes, such as hashes of files.
   std::vector<std::pair<std::string, std::string>> facts;
 };
 
@@ -44,16 +44,16 @@ struct RolloutJob {
   Engine engine = Engine::kSimbody;
 };
 
-/// Returns the deadline of a rollout [s of wall clock]: `asked`, or, if that is 0, 20 s and twice the
-/// simulated duration. The latter is many times what any processor needs. It ends rollouts that would never
-/// end.
+/// Returns the deadline of a rollout, wall clock [s]. This is `asked` or, if `asked` is 0, the sum of 20 s
+/// and twice the simulated duration. The sum is many times the time that any processor needs. It ends only
+/// rollouts that would never end.
 double deadline_of(double asked, const Scenario& scenario);
 
 /// Returns the scenario with the arm of the sample.
 Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sample);
 
-/// Returns names and values of all facts on which two processes must agree to work on one run. Reads the
-/// input files for their hashes.
+/// Returns names and values of all facts that must be the same in all processes of a run. They include the
+/// hashes of the input files.
 std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& plan);
 
 }  // namespace armtune::internal

@@ -15,7 +15,7 @@ class RolloutPool {
  public:
   /// Makes `threads` (>= 1) workers in this process.
   RolloutPool(RolloutPlan plan, int threads);
-  /// Uses workers (at least one) made for that plan. Each is called from one thread at a time.
+  /// Uses workers (at least one) that were made for this plan. A worker is called from one thread at a time.
   RolloutPool(std::shared_ptr<const RolloutPlan> plan, std::vector<std::unique_ptr<RolloutWorker>> workers);
 
   const RolloutPlan& plan() const { return *plan_; }
@@ -24,9 +24,10 @@ class RolloutPool {
   /// Returns the simulated time of all rollouts together [s].
   double simulated() const { return simulated_; }
 
-  /// Runs job(0) .. job(count - 1), started in that order. `finished` receives each result that was not
-  /// interrupted, in any order, one call at a time, from any thread. No job is started once `stop` is true,
-  /// and jobs under way are interrupted. The first exception ends the rest and is thrown again here.
+  /// Runs the jobs that `job` returns for 0 to count - 1, started in this order. `finished` receives the
+  /// number and the result of each job that was not interrupted, in any order. It is called from any thread,
+  /// one call at a time. As soon as `stop` is true, no further job is started, and jobs under way are
+  /// interrupted. After a first exception no further job is started, and it is thrown again here.
   void run(std::size_t count, const std::function<RolloutJob(std::size_t)>& job,
            const std::atomic<bool>& stop, const std::function<void(std::size_t, RolloutResult&&)>& finished);
 

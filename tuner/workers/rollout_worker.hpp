@@ -15,15 +15,16 @@ struct GivenJob {
   RolloutJob job;
 };
 
-/// A source from which workers get their jobs and to which they return results.
+/// A source of jobs. A worker gets its jobs from it, and returns the results to it.
 class JobSource {
  public:
   virtual ~JobSource() = default;
-  /// Returns how many jobs a worker should have under way at most, so that others get jobs too.
+  /// Returns the largest number of jobs that a worker should do at the same time, so that jobs are left for
+  /// the other workers.
   virtual std::size_t share() const = 0;
-  /// Returns the next job to start, or nothing if there are no more or no more are wanted.
+  /// Returns the next job to start, or nothing if no further job must be started.
   virtual std::optional<GivenJob> next() = 0;
-  /// True if jobs under way must be abandoned. Workers call it often, about once per control period.
+  /// True if jobs under way must be abandoned. Workers call it often, every few control periods.
   virtual bool stopped() = 0;
   /// Takes the result of a job, which is complete or was interrupted because of stopped().
   virtual void finished(std::size_t number, RolloutResult&& result) = 0;

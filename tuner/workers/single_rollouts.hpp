@@ -1,6 +1,6 @@
 #pragma once
-// Simulates rollouts in this process, one at a time. It reuses simulation models that are ready from earlier
-// rollouts.
+// Simulates rollouts in this process, one at a time. Simulation models of earlier rollouts are kept and used
+// again.
 
 #include <cstdint>
 #include <functional>
@@ -20,17 +20,18 @@ class SingleRollouts {
   /// The plan must outlive the object.
   explicit SingleRollouts(const RolloutPlan& plan) : plan_(plan), arms_(plan) {}
 
-  /// Simulates a job. The result depends only on plan and job. It is kInterrupted once `stop`, called once
-  /// per control period, returns true. Throws FailedError if the rollout passes its deadline.
+  /// Simulates a job. The result depends only on plan and job. `stop` is called once per control period. If
+  /// it returns true, the rollout ends with the status kInterrupted. Throws FailedError if the rollout is not
+  /// completed before its deadline.
   RolloutResult run(const RolloutJob& job, const std::function<bool()>& stop);
 
   PreparedArms& arms() { return arms_; }
-  /// Returns the error for a job that passed its deadline. arms: number of arms simulated side by side, which
-  /// multiplies the deadline; simulated: simulated time so far [s].
+  /// Returns the error for a job that was not completed before its deadline. arms: number of arms that were
+  /// simulated at the same time; the deadline is multiplied by it; simulated: simulated time so far [s].
   FailedError late(const RolloutJob& job, int arms, double simulated) const;
 
  private:
-  /// A simulation model that is ready for a rollout. Only few are kept.
+  /// A simulation model that is ready for a rollout. Only a few models are kept.
   struct Ready {
     std::size_t scenario;
     std::uint64_t sample;

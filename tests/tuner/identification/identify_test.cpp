@@ -1,4 +1,4 @@
-#include "tuner/identification/identify.hpp"
+// Arms are found from their logs, within the stated deviations.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -11,8 +11,7 @@
 
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/gains_file.hpp"
-#include "tests/core/support/states.hpp"
-#include "tests/sim/support/files.hpp"
+#include "tests/tuner/identification/identify_rig.hpp"
 #include "tuner/identification/excitation_design.hpp"
 #include "tuner/identification/excitation_log.hpp"
 #include "tuner/identification/identification_files.hpp"
@@ -22,119 +21,15 @@
 namespace armtune::internal {
 namespace {
 
-const std::atomic<bool> kNever{false};
+using test::differing_arm;
+using test::Identify;
+using test::kNever;
+using test::prediction_error;
+using test::prediction_errors;
+using test::PredictionError;
+using test::true_theta;
+
 constexpr int kSeeds = 20;
-
-/// moving_target on an arm whose links and rotors differ by up to 30 % from the URDF, with friction and
-/// sensor noise.
-Scenario differing_arm(unsigned seed, double noise) {
-  std::mt19937 generator(seed);
-  Scenario scenario = load_scenario("moving_target");
-  const auto factors = [&generator] {
-    return JointVector(JointVector::Ones(6) + test::random_vector(generator, 6, 0.3));
-  };
-  PlantConditions& plant = scenario.plant;
-  plant.mass_factors = factors();
-  plant.inertia_factors = factors();
-  plant.rotor_factors = factors();
-  plant.viscous_friction.resize(6);
-  plant.viscous_friction << 4, 4, 2.5, 0.75, 0.75, 0.5;
-  plant.coulomb_friction = plant.viscous_friction.cwiseProduct(factors());
-  plant.position_noise = noise * 1e-4;
-  plant.velocity_noise = noise * 1e-2;
-  scenario.seed = seed;
-  return scenario;
-}
-
-Excitation random_series(const RobotModel& arm, std::uint64_t seed) {
-  ExcitationOptions options;
-  options.center.resize(6);
-  options.center << 0.0, -1.5, -1.0, -1.5, 1.5, 0.0;
-  options.min_height = 0.1;
-  options.seed = seed;
-  options.evaluations = 300;
-  return design_excitation(arm, options, kNever).excitation;
-}
-
-ParameterVector true_theta(const Scenario& scenario) {
-  return theta_of(plant_model(scenario).chain);
-}
-
-/// RMS of the difference between two thetas' torques along a trajectory, over the RMS of the second's: of all
-/// joints together, and of the joint where it is largest.
-struct PredictionError {
-  double all = 0.0;
-  double worst_joint = 0.0;
-};
-
-PredictionError prediction_errors(const RobotModel& arm, const Excitation& e, const ParameterVector& found,
-                                  const ParameterVector& truth) {
-  JointVector squares = JointVector::Zero(arm.n());
-  JointVector total = JointVector::Zero(arm.n());
-  SlotineLi motion;
-  JointVector a, b;
-  for (double t = 0.0; t < e.duration; t += 0.01) {
-    const MotionPoint<JointVector> point = e.at(t);
-    const Poses poses = test::poses_at(arm.chain, point.position);
-    slotine_li_forward(arm.chain, poses, point.velocity, point.velocity, point.acceleration, motion);
-    slotine_li_torque(arm.chain, poses, motion, found, a);
-    slotine_li_torque(arm.chain, poses, motion, truth, b);
-    squares += (a - b).cwiseAbs2();
-    total += b.cwiseAbs2();
-  }
-  return {std::sqrt(squares.sum() / total.sum()), std::sqrt(squares.cwiseQuotient(total).maxCoeff())};
-}
-
-double prediction_error(const RobotModel& arm, const Excitation& e, const ParameterVector& found,
-                        const ParameterVector& truth) {
-  return prediction_errors(arm, e, found, truth).all;
-}
-
-class Identify : public ::testing::Test {
- protected:
-  test::TemporaryFolder folder_;
-  Scenario nominal_ = load_scenario("moving_target");
-  const RobotModel& arm_ = *nominal_.robot;
-  Excitation exciting_ = random_series(arm_, 1);
-  Excitation unseen_ = random_series(arm_, 2);
-
-  std::string log(const Scenario& scenario, double torque_noise, const std::string& name = "log.csv") {
-    ExcitationLogOptions options;
-    options.torque_noise = torque_noise;
-    return folder_.write(name, log_csv(arm_, simulate_excitation(scenario, exciting_, options, kNever)));
-  }
-  /// A log in which only some joints move, with torques by inverse dynamics and noise of both sensors.
-  ExcitationLog log_of_some_joints(const std::vector<int>& moving, const ParameterVector& truth,
-                                   double position_noise) const {
-    std::mt19937 generator(39);
-    std::normal_distribution<double> normal;
-    ExcitationLog log;
-    SlotineLi motion;
-    for (double t = 0.0; t < 12.0; t += 0.002) {
-      const MotionPoint<JointVector> all = exciting_.at(t);
-      LogSample sample;
-      sample.time = t;
-      sample.q = exciting_.center;
-      sample.qd = JointVector::Zero(arm_.n());
-      JointVector qdd = JointVector::Zero(arm_.n());
-      for (const int j : moving) {
-        sample.q[j] = all.position[j];
-        sample.qd[j] = all.velocity[j];
-        qdd[j] = all.acceleration[j];
-      }
-      const Poses poses = test::poses_at(arm_.chain, sample.q);
-      slotine_li_forward(arm_.chain, poses, sample.qd, sample.qd, qdd, motion);
-      slotine_li_torque(arm_.chain, poses, motion, truth, sample.torque);
-      sample.torque += test::random_vector(generator, arm_.n(), 0.3);
-      for (double& position : sample.q) position += position_noise * normal(generator);
-      log.samples.push_back(sample);
-    }
-    return log;
-  }
-  Identification identified(const std::vector<std::string>& logs, const IdentifyOptions& options = {}) {
-    return identify(arm_, logs, default_log_columns(arm_), options, kNever);
-  }
-};
 
 TEST_F(Identify, FindsADifferingArmFromNoisyLogsWithinItsStatedDeviations) {
   int within = 0;
@@ -242,16 +137,6 @@ TEST_F(Identify, TheClosedLoopStartsFiveTimesMoreAccuratelyFromItThanFromNothing
   EXPECT_GT(from_nothing, 5.0 * from_identification);
 }
 
-TEST_F(Identify, AVelocityThatIsNotThePositionsDerivativeIsRefused) {
-  const Scenario scenario = differing_arm(37, 1.0);
-  ExcitationLog wrong = simulate_excitation(scenario, exciting_, {}, kNever);
-  for (LogSample& sample : wrong.samples) sample.qd[2] *= -1.0;
-  const std::string path = folder_.write("log.csv", log_csv(arm_, wrong));
-  EXPECT_THAT(
-      test::refusal([&] { identified({path}); }),
-      testing::AllOf(testing::HasSubstr("velocity of elbow_joint is -"), testing::HasSubstr("signs")));
-}
-
 TEST_F(Identify, WhatThetaLeavesUnexplainedIsMeasuredOnRowsThatItWasNotFittedTo) {
   const Scenario scenario = differing_arm(38, 1.0);
   const std::string path = log(scenario, 0.5);
@@ -334,92 +219,6 @@ TEST_F(Identify, WhatOneMovingJointDoesNotExciteKeepsItsPriorAndIsListed) {
       EXPECT_TRUE(listed) << found.base.names[static_cast<std::size_t>(b)];
     }
   }
-}
-
-TEST_F(Identify, ARightLogInWhichAJointStandsStillIsNotDoubted) {
-  const ParameterVector truth = true_theta(differing_arm(41, 1.0));
-  for (int still = 0; still < arm_.n(); ++still) {
-    std::vector<int> moving;
-    for (int j = 0; j < arm_.n(); ++j) {
-      if (j != still) moving.push_back(j);
-    }
-    for (const double noise : {1e-4, 1e-3}) {
-      const std::string path =
-          folder_.write("still.csv", log_csv(arm_, log_of_some_joints(moving, truth, noise)));
-      const Identification found = identified({path});
-      EXPECT_FALSE(found.comparison.mistake.has_value())
-          << still << ", noise " << noise << ": " << to_text(*found.comparison.mistake, arm_);
-      EXPECT_THAT(theta_doubts(arm_, found), testing::IsEmpty()) << still << ", noise " << noise;
-    }
-  }
-}
-
-TEST_F(Identify, ALogWithoutMotionIsRefused) {
-  const ParameterVector truth = true_theta(differing_arm(42, 1.0));
-  for (const double noise : {0.0, 1e-4}) {
-    ExcitationLog still = log_of_some_joints({}, truth, noise);
-    const std::string path = folder_.write("still.csv", log_csv(arm_, still));
-    EXPECT_THAT(test::refusal([&] { identified({path}); }), testing::HasSubstr("no joint moves")) << noise;
-  }
-}
-
-TEST_F(Identify, TheHashIsThatOfTheLogAsItWasRead) {
-  const std::string path = log(nominal_, 0.0);
-  const Identification found = identified({path});
-  ASSERT_EQ(found.log_hashes.size(), 1U);
-  EXPECT_EQ(found.log_hashes[0], hash_of_file(path));
-}
-
-TEST_F(Identify, ALogThatChangesBetweenTwoPassesIsRefused) {
-  const std::string path = log(nominal_, 0.0);
-  const std::string text = test::read_text(path);
-  IdentifyOptions robust;
-  robust.robust = true;
-  robust.progress = [&](int pass, std::size_t, long) {
-    if (pass == 1) folder_.write("log.csv", text.substr(0, text.size() - text.size() / 4));
-  };
-  EXPECT_THAT(test::refusal([&] { identified({path}, robust); }), testing::HasSubstr("log.csv"));
-}
-
-TEST_F(Identify, ATorqueThatIsAlwaysZeroIsRefusedWithItsJoint) {
-  ExcitationLog silent = simulate_excitation(nominal_, exciting_, {}, kNever);
-  for (LogSample& sample : silent.samples) sample.torque[4] = 0.0;
-  const std::string path = folder_.write("log.csv", log_csv(arm_, silent));
-  EXPECT_THAT(test::refusal([&] { identified({path}); }),
-              testing::AllOf(testing::HasSubstr("log.csv"), testing::HasSubstr(arm_.joints[4].name)));
-}
-
-TEST_F(Identify, OtherUnitsAreRefusedWithTheScaleThatBringsThemBack) {
-  const ExcitationLog right = simulate_excitation(nominal_, exciting_, {}, kNever);
-  const auto refused = [&](const std::function<void(LogSample&)>& change) {
-    ExcitationLog wrong = right;
-    for (LogSample& sample : wrong.samples) change(sample);
-    const std::string path = folder_.write("log.csv", log_csv(arm_, wrong));
-    return test::refusal([&] { identified({path}); });
-  };
-  EXPECT_THAT(refused([](LogSample& at) {
-                at.q *= 180.0 / M_PI;
-                at.qd *= 180.0 / M_PI;
-              }),
-              testing::AllOf(testing::HasSubstr("degrees"), testing::HasSubstr("0.0174")));
-  EXPECT_THAT(refused([](LogSample& at) { at.torque *= 1000.0; }),
-              testing::AllOf(testing::HasSubstr("N mm"), testing::HasSubstr("scale: 0.001")));
-  EXPECT_THAT(refused([](LogSample& at) {
-                at.time *= 1000.0;
-                at.qd *= 1e-3;
-              }),
-              testing::AllOf(testing::HasSubstr("milliseconds"), testing::HasSubstr("time_scale: 0.001")));
-}
-
-TEST_F(Identify, ALogThatIsTooShortOrTooCoarseIsRefused) {
-  Scenario scenario = differing_arm(36, 0.0);
-  ExcitationLog cut = simulate_excitation(scenario, exciting_, {}, kNever);
-  cut.samples.resize(700);
-  const std::string path = folder_.write("log.csv", log_csv(arm_, cut));
-  EXPECT_THAT(test::refusal([&] { identified({path}); }), testing::HasSubstr("too few for the filters"));
-  IdentifyOptions high;
-  high.rows.cutoff = 100.0;
-  EXPECT_THAT(test::refusal([&] { identified({path}, high); }), testing::HasSubstr("too few for a cutoff"));
 }
 
 }  // namespace

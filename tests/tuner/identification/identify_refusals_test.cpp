@@ -1,0 +1,126 @@
+// Logs that identification refuses, and right ones that it does not.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "sim/rollout/rollout.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tests/tuner/identification/identify_rig.hpp"
+#include "tuner/identification/excitation_design.hpp"
+#include "tuner/identification/excitation_log.hpp"
+#include "tuner/identification/identification_files.hpp"
+#include "tuner/identification/theta_doubts.hpp"
+#include "tuner/run/file_hash.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using test::differing_arm;
+using test::Identify;
+using test::kNever;
+using test::true_theta;
+
+TEST_F(Identify, AVelocityThatIsNotThePositionsDerivativeIsRefused) {
+  const Scenario scenario = differing_arm(37, 1.0);
+  ExcitationLog wrong = simulate_excitation(scenario, exciting_, {}, kNever);
+  for (LogSample& sample : wrong.samples) sample.qd[2] *= -1.0;
+  const std::string path = folder_.write("log.csv", log_csv(arm_, wrong));
+  EXPECT_THAT(
+      test::refusal([&] { identified({path}); }),
+      testing::AllOf(testing::HasSubstr("velocity of elbow_joint is -"), testing::HasSubstr("signs")));
+}
+
+TEST_F(Identify, ARightLogInWhichAJointStandsStillIsNotDoubted) {
+  const ParameterVector truth = true_theta(differing_arm(41, 1.0));
+  for (int still = 0; still < arm_.n(); ++still) {
+    std::vector<int> moving;
+    for (int j = 0; j < arm_.n(); ++j) {
+      if (j != still) moving.push_back(j);
+    }
+    for (const double noise : {1e-4, 1e-3}) {
+      const std::string path =
+          folder_.write("still.csv", log_csv(arm_, log_of_some_joints(moving, truth, noise)));
+      const Identification found = identified({path});
+      EXPECT_FALSE(found.comparison.mistake.has_value())
+          << still << ", noise " << noise << ": " << to_text(*found.comparison.mistake, arm_);
+      EXPECT_THAT(theta_doubts(arm_, found), testing::IsEmpty()) << still << ", noise " << noise;
+    }
+  }
+}
+
+TEST_F(Identify, ALogWithoutMotionIsRefused) {
+  const ParameterVector truth = true_theta(differing_arm(42, 1.0));
+  for (const double noise : {0.0, 1e-4}) {
+    ExcitationLog still = log_of_some_joints({}, truth, noise);
+    const std::string path = folder_.write("still.csv", log_csv(arm_, still));
+    EXPECT_THAT(test::refusal([&] { identified({path}); }), testing::HasSubstr("no joint moves")) << noise;
+  }
+}
+
+TEST_F(Identify, TheHashIsThatOfTheLogAsItWasRead) {
+  const std::string path = log(nominal_, 0.0);
+  const Identification found = identified({path});
+  ASSERT_EQ(found.log_hashes.size(), 1U);
+  EXPECT_EQ(found.log_hashes[0], hash_of_file(path));
+}
+
+TEST_F(Identify, ALogThatChangesBetweenTwoPassesIsRefused) {
+  const std::string path = log(nominal_, 0.0);
+  const std::string text = test::read_text(path);
+  IdentifyOptions robust;
+  robust.robust = true;
+  robust.progress = [&](int pass, std::size_t, long) {
+    if (pass == 1) folder_.write("log.csv", text.substr(0, text.size() - text.size() / 4));
+  };
+  EXPECT_THAT(test::refusal([&] { identified({path}, robust); }), testing::HasSubstr("log.csv"));
+}
+
+TEST_F(Identify, ATorqueThatIsAlwaysZeroIsRefusedWithItsJoint) {
+  ExcitationLog silent = simulate_excitation(nominal_, exciting_, {}, kNever);
+  for (LogSample& sample : silent.samples) sample.torque[4] = 0.0;
+  const std::string path = folder_.write("log.csv", log_csv(arm_, silent));
+  EXPECT_THAT(test::refusal([&] { identified({path}); }),
+              testing::AllOf(testing::HasSubstr("log.csv"), testing::HasSubstr(arm_.joints[4].name)));
+}
+
+TEST_F(Identify, OtherUnitsAreRefusedWithTheScaleThatBringsThemBack) {
+  const ExcitationLog right = simulate_excitation(nominal_, exciting_, {}, kNever);
+  const auto refused = [&](const std::function<void(LogSample&)>& change) {
+    ExcitationLog wrong = right;
+    for (LogSample& sample : wrong.samples) change(sample);
+    const std::string path = folder_.write("log.csv", log_csv(arm_, wrong));
+    return test::refusal([&] { identified({path}); });
+  };
+  EXPECT_THAT(refused([](LogSample& at) {
+                at.q *= 180.0 / M_PI;
+                at.qd *= 180.0 / M_PI;
+              }),
+              testing::AllOf(testing::HasSubstr("degrees"), testing::HasSubstr("0.0174")));
+  EXPECT_THAT(refused([](LogSample& at) { at.torque *= 1000.0; }),
+              testing::AllOf(testing::HasSubstr("N mm"), testing::HasSubstr("scale: 0.001")));
+  EXPECT_THAT(refused([](LogSample& at) {
+                at.time *= 1000.0;
+                at.qd *= 1e-3;
+              }),
+              testing::AllOf(testing::HasSubstr("milliseconds"), testing::HasSubstr("time_scale: 0.001")));
+}
+
+TEST_F(Identify, ALogThatIsTooShortOrTooCoarseIsRefused) {
+  Scenario scenario = differing_arm(36, 0.0);
+  ExcitationLog cut = simulate_excitation(scenario, exciting_, {}, kNever);
+  cut.samples.resize(700);
+  const std::string path = folder_.write("log.csv", log_csv(arm_, cut));
+  EXPECT_THAT(test::refusal([&] { identified({path}); }), testing::HasSubstr("too few for the filters"));
+  IdentifyOptions high;
+  high.rows.cutoff = 100.0;
+  EXPECT_THAT(test::refusal([&] { identified({path}, high); }), testing::HasSubstr("too few for a cutoff"));
+}
+
+}  // namespace
+}  // namespace armtune::internal
