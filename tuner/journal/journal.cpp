@@ -4,25 +4,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
-#include <system_error>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
-#include "core/common/path_state.hpp"
-#include "tuner/run/file_hash.hpp"
+#include "tuner/journal/journal_lines.hpp"
 #include "tuner/run/input_copies.hpp"
 
 namespace armtune::internal {
 namespace {
 
-constexpr std::size_t kDigits = 16;
-constexpr std::size_t kMaxLine = std::size_t{64} << 20;  // a record of 1,000 scenarios takes one
 constexpr std::string_view kFormat = "armtune journal 1";
 constexpr std::string_view kHeaderEnd = "records";
 /// Kind of the record that some minutes are over.
@@ -38,24 +33,6 @@ std::optional<Minutes> minutes_of(std::string_view kind) {
 
 std::string_view kind_of(Minutes minutes) {
   return kTimeUp[static_cast<std::size_t>(minutes)].second;
-}
-
-std::string checksum(std::string_view payload) {
-  Fnv1a hash;
-  hash.add(payload);
-  return fmt::format("{:016x}", hash.value());
-}
-
-std::string line_of(std::string_view payload) {
-  return fmt::format("{} {}\n", checksum(payload), payload);
-}
-
-/// The line without its checksum; nothing if that is not right.
-std::optional<std::string_view> payload_of(std::string_view line) {
-  if (line.size() <= kDigits || line[kDigits] != ' ') return std::nullopt;
-  const std::string_view payload = line.substr(kDigits + 1);
-  if (line.substr(0, kDigits) != checksum(payload)) return std::nullopt;
-  return payload;
 }
 
 /// Cuts the word before the first tab off the front.
@@ -75,69 +52,11 @@ std::uint64_t number_in(std::string_view text) {
   return number;
 }
 
-/// A journal line by line, with the place where each begins.
-class Lines {
- public:
-  explicit Lines(const std::string& path) : path_(path), file_(path, std::ios::binary) {
-    if (!file_) {
-      const int reason = errno;
-      if (is_there(path))
-        throw InputError(
-            fmt::format("{}: cannot be opened: {}", path, std::generic_category().message(reason)));
-      throw InputError(path + ": cannot be read, so there is no run to resume; start the run again");
-    }
-  }
-  /// False at the end. `whole`: the line has its end.
-  bool next() {
-    place_ += static_cast<long>(line_.size()) + (whole_ ? 1 : 0);
-    whole_ = false;
-    line_.clear();
-    try {
-      read_line();
-    } catch (const std::ios_base::failure& e) {
-      throw InputError(fmt::format("{}: cannot be read: {}", path_, e.what()));
-    }
-    if (!whole_ && line_.empty()) return false;
-    ++number_;
-    return true;
-  }
-  const std::string& line() const { return line_; }
-  bool whole() const { return whole_; }
-  long place() const { return place_; }
-  long number() const { return number_; }
-
- private:
-  /// std::getline would fill the memory with a line that never ends.
-  void read_line() {
-    std::streambuf& bytes = *file_.rdbuf();
-    for (int byte = bytes.sbumpc(); byte != std::char_traits<char>::eof(); byte = bytes.sbumpc()) {
-      if (byte == '\n') {
-        whole_ = true;
-        break;
-      }
-      if (line_.size() == kMaxLine) {
-        throw InputError(
-            fmt::format("{}:{}: this line has more than {} MB; the file is not an armtune journal, or it is "
-                        "damaged",
-                        path_, number_ + 1, kMaxLine >> 20));
-      }
-      line_ += static_cast<char>(byte);
-    }
-  }
-
-  std::string path_;
-  std::ifstream file_;
-  std::string line_;
-  bool whole_ = false;
-  long place_ = 0;
-  long number_ = 0;
-};
-
-RunHeader read_header(Lines& lines, const std::string& path) {
+RunHeader read_header(JournalLines& lines, const std::string& path) {
   RunHeader header;
   bool first = true;
   while (lines.next()) {
-    const auto payload = lines.whole() ? payload_of(lines.line()) : std::nullopt;
+    const auto payload = lines.payload();
     if (!payload && first)
       throw InputError(path + ": this is not an armtune journal, or its start is damaged");
     if (!payload) {
@@ -175,7 +94,7 @@ RunHeader read_header(Lines& lines, const std::string& path) {
 }  // namespace
 
 RunHeader read_run_header(const std::string& path) {
-  Lines lines(path);
+  JournalLines lines(path);
   return read_header(lines, path);
 }
 
@@ -183,13 +102,13 @@ Journal::Journal(const std::string& path, AppendFile::Open open, double patience
     : path_(path), file_(path, open, patience) {}
 
 std::unique_ptr<Journal> Journal::begin(const std::string& path, const RunHeader& header) {
-  std::string text = line_of(kFormat);
-  for (const std::string& argument : header.arguments) text += line_of("argument\t" + escaped(argument));
-  text += line_of("folder\t" + escaped(header.working_folder));
+  std::string text = checked_line(kFormat);
+  for (const std::string& argument : header.arguments) text += checked_line("argument\t" + escaped(argument));
+  text += checked_line("folder\t" + escaped(header.working_folder));
   for (const auto& [name, value] : header.identity) {
-    text += line_of("is\t" + escaped(name) + '\t' + escaped(value));
+    text += checked_line("is\t" + escaped(name) + '\t' + escaped(value));
   }
-  text += line_of(kHeaderEnd);
+  text += checked_line(kHeaderEnd);
   std::unique_ptr<Journal> journal(new Journal(path, AppendFile::Open::kNew, 0.0));
   try {
     journal->file_.append(text);
@@ -211,7 +130,7 @@ std::unique_ptr<Journal> Journal::resume(const std::string& path, const RunHeade
 }
 
 std::string Journal::read(const RunHeader& now) {
-  Lines lines(path_);
+  JournalLines lines(path_);
   const RunHeader was = read_header(lines, path_);
   const std::string folder = std::filesystem::path(path_).parent_path().string();
   const std::string other =
@@ -233,7 +152,7 @@ std::string Journal::read(const RunHeader& now) {
   };
   while (lines.next()) {
     if (damaged != 0) refuse("is damaged (its checksum is wrong)");
-    const auto payload = lines.whole() ? payload_of(lines.line()) : std::nullopt;
+    const auto payload = lines.payload();
     if (!payload) {
       damaged = lines.number();
       damaged_place = lines.place();
@@ -295,7 +214,7 @@ std::optional<JournalRecord> Journal::find(std::uint64_t number) const {
 }
 
 void Journal::write(const std::string& payload) {
-  const std::string line = line_of(payload);
+  const std::string line = checked_line(payload);
   try {
     file_.append(line);
   } catch (...) {  // half a line in the middle would be damage for whoever reads on

@@ -1,6 +1,6 @@
 #pragma once
-// The data about one scenario on a report page. They are its rollouts with plots and 3D replays, or a planned
-// motion with its limits.
+// The data about one scenario on a report page: either the rollouts of the scenario with their plots and 3D
+// replays, or a planned motion with its plots, its replay and its limits.
 
 #include <optional>
 #include <string>
