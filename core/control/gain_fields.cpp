@@ -57,8 +57,8 @@ std::vector<GainField> make_fields() {
        "duration of a rotation of the tool towards a target, per radian of angle",
        &Gains::slerpDurationErrorGain, true, true, kFactor, 0.1, 3.0},
       {"slerpAngularErrorThreshold", "rad",
-       "gaze error above which the tool rotates towards the target by interpolation (slerp), unless "
-       "slerp_start_angle is set; also the threshold of the gaze metrics",
+       "threshold of the gaze metrics; if slerp_start_angle is 0, also the gaze error above which the tool "
+       "rotates towards the target by interpolation (slerp)",
        &Gains::slerpAngularErrorThreshold, true, true},
       of_law({"interpolation_gain_scale", "1",
               "factor on Kp of the rotations and on Kd of the last three joints during a slerp",

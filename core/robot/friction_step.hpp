@@ -5,7 +5,8 @@
 // If only friction acts, an explicit step of h multiplies the velocity by about 1 - h c / d, where c is the
 // slope of the friction law and d the inertia that the joint moves. The step is unstable once h c / d
 // exceeds 2. Light links without rotor inertia reach this at rest, where the smoothed Coulomb part alone has
-// a slope of 20 Fc. Therefore each evaluation k of a Runge-Kutta rule, at the velocity v, solves
+// a slope of 20 Fc. Therefore each evaluation k of a Runge-Kutta rule, at the velocity v, solves the equation
+// below. M is the mass matrix, D the rotors' inertia, f the friction, and G a diagonal matrix.
 //
 //   (M + D + G) k = torque - C v - g - f(v) - (2 / h) G (v0 - v),    v0: velocity at the start of the step.
 //
@@ -13,11 +14,11 @@
 // W-method (Steihaug and Wolfbrandt 1979; Hairer and Wanner, Solving Ordinary Differential Equations II,
 // section IV.7), with these choices:
 //   - G is 0 where friction is not stiff. The rule is then bit for bit the explicit one, and has its order.
-//   - Where friction is stiff, G is h c / 2. The rule is then of second order (the semi-implicit Euler rule
-//     of first order), because the two terms with G differ by O(h^2). A step of friction alone gains no
-//     energy, because h c is at most twice M + D + G.
+//   - Where friction is stiff, G is h c / 2. A Runge-Kutta rule then has second order, and the semi-implicit
+//     Euler rule first order, because G k and (2 / h) G (v - v0) differ by O(h^2). A step of
+//     friction alone gains no energy, because h c is at most twice M + D + G.
 //   - Beyond h c = 2 d the inertia d + G is raised to h c, so that friction alone stops the joint within the
-//     step. With less, the velocity would change its sign in every step and hardly decay.
+//     step. With an inertia below h c the velocity would change its sign in every step and hardly decay.
 //   - c = Fv + Fc / max(|v|, 0.05) is no less than the secant f(v) / v. The derivative f'(v) cannot replace
 //     it, because its Coulomb part vanishes at high speed. A step would then subtract the velocity h Fc / d
 //     explicitly, which can reverse the motion of a joint.

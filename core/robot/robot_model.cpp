@@ -63,9 +63,10 @@ void Checker::characters(const char* kind, const std::string& name) const {
           "{} '{}': its name contains a comma, a quote or a control character; rename it, because CSV files "
           "contain it",
           kind, name);
-  require(!is_formula(name),
-          "{} {}: its name begins like a spreadsheet formula; rename it, because CSV files contain it", kind,
-          shown(name));
+  require(
+      !is_formula(name),
+      "{} {}: its name begins like a spreadsheet formula; rename it, because the name is written into CSV files",
+      kind, shown(name));
   require(is_utf8(name), "{} {}: its name is not UTF-8; save the file as UTF-8, or rename it", kind,
           shown(name));
 }

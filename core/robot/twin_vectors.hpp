@@ -1,6 +1,6 @@
 #pragma once
 // Vectors and matrices whose entries are pairs of numbers, called twins (common/twin.hpp). With them the
-// dynamics compute two 3-vectors or two symmetric matrices at once, such as force and moment.
+// dynamics compute two 3-vectors at once, such as force and moment, or two symmetric matrices.
 
 #include "core/common/products.hpp"
 #include "core/common/twin.hpp"

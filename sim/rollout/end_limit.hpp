@@ -1,6 +1,7 @@
 #pragma once
-// Limits on metrics at which a rollout is abandoned early to save time. Such a metric is an extreme or a
-// count. It cannot recover, so that the rest of the rollout is useless.
+// Limits on metrics. A rollout that exceeds one is abandoned to save time. Each of these metrics is a
+// maximum, a minimum or a count: once it is beyond its limit it stays there, and the rest of the rollout is
+// useless.
 
 #include <vector>
 

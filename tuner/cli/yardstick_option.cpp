@@ -53,9 +53,9 @@ YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scen
 void add_yardstick_option(CLI::App& command, bool& wanted) {
   command.add_flag(
       "--yardstick", wanted,
-      "also compare each target switch, return to the path and lap with an optimal motion within the arm's "
-      "limits; writes yardstick.csv, and the column reacquisition/limit of errors.csv (see armtune "
-      "yardstick)");
+      "also compare every target switch, every return to the path and every lap with an optimal motion "
+      "within the arm's limits; writes yardstick.csv, and the column 'reacquisition/limit' in errors.csv "
+      "(see armtune yardstick)");
 }
 
 Yardstick yardstick_if(bool wanted) {

@@ -37,8 +37,7 @@ struct ArmFit {
   /// Residual of every joint (n), divided by the largest of these three: the RMS of its torque, the RMS of
   /// the torque that the robot file predicts, half a percent of its effort limit. 0 to about 1.
   JointVector unexplained;
-  double distance = 0.0;  ///< not set by ArmFitter: always 0
-  double cost = 0.0;      ///< weighted squares of `unexplained` and of the links' change; less is better
+  double cost = 0.0;  ///< weighted squares of `unexplained` and of the links' change; less is better
 };
 
 /// Fits physically valid arms to moments.

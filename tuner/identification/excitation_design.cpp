@@ -191,10 +191,10 @@ void check(const RobotModel& model, const ExcitationOptions& o) {
     }
   }
   if (o.frequency * o.harmonics > kFastestHarmonic) {
-    throw InputError(
-        fmt::format("{} harmonics of the base frequency {} Hz are too fast; the highest "
-                    "frequency may be {} Hz",
-                    o.harmonics, o.frequency, kFastestHarmonic));
+    throw InputError(fmt::format(
+        "with {} harmonics of the base frequency {} Hz the motion is too fast: the highest harmonic "
+        "must not exceed {} Hz; give fewer harmonics or a lower base frequency",
+        o.harmonics, o.frequency, kFastestHarmonic));
   }
   if (o.fade > 0.5 * o.duration)
     throw InputError(

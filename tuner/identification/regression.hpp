@@ -55,7 +55,6 @@ class Regression {
   int joints_;
   int rank_;
   long rows_ = 0;
-  std::vector<int> dead_;                              ///< not used
   std::vector<std::vector<Eigen::VectorXd>> waiting_;  ///< [joint]: rows not yet in the factor
   std::vector<Eigen::MatrixXd> factor_;                ///< [joint]: triangular factor of (Y_base, tau)
   std::vector<std::vector<Eigen::MatrixXd>> moments_;  ///< [joint][lag]: sum of y_t y_(t+lag)^T, y: a row

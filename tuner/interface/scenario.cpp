@@ -56,7 +56,7 @@ void Scenario::set_name(const std::string& name) {
                     internal::shown(name)));
   }
   if (name == internal::kAllScenarios)
-    throw InputError(fmt::format("name: '{}' stands for all scenarios in results; give another name", name));
+    throw InputError(fmt::format("name: in results, '{}' means all scenarios; give another name", name));
   inside_ = changed(*inside_, [&](internal::Scenario& s) { s.name = name; });
   files_.reset();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Writes objects as JSON. The members of their types are declared as in declaration.hpp.
+// Writes objects as JSON. Each type must first declare its members (declaration.hpp).
 
 #include <utility>
 

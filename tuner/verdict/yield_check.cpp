@@ -73,7 +73,7 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
 }
 
 std::string spread_text(const std::string& whose, const Perturbation& perturbation) {
-  return fmt::format("{} random changes of the arm ({})", whose,
+  return fmt::format("the arm differs from its model by no more than {} random changes ({})", whose,
                      perturbation.payload > 0.0
                          ? fmt::format("payloads up to {:.3g} kg", perturbation.payload)
                          : std::string("each with the scenario's payload"));

@@ -23,7 +23,8 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
                                 const std::vector<MonteCarloSample>& samples,
                                 const MonteCarloOptions& options);
 
-/// Returns, for example, "the default random changes of the arm (payloads up to 5 kg)". whose: the first
+/// Returns, for example, "the arm differs from its model by no more than the default random changes
+/// (payloads up to 5 kg)". whose: the first
 /// words of the text: "the default", "the study's" or "the given".
 std::string spread_text(const std::string& whose, const Perturbation& perturbation);
 

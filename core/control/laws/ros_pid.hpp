@@ -1,7 +1,8 @@
 #pragma once
 // The PID of one joint as in ROS's control_toolbox: branch `humble` (3.7) and branch `jazzy` (4.11, of 6 May
-// 2026). The anti-windup method limits the integral. Parameter files can choose the methods kOfContribution
-// and kOfIntegral; a file with another method, or with u_max and the like, is refused.
+// 2026). Parameter files can choose between two kinds of anti-windup: a limit of the integral's
+// contribution to the command (kOfContribution), and a limit of the integral itself (kOfIntegral). A file
+// with another method, or with u_max and the like, is refused.
 
 #include <algorithm>
 #include <cmath>

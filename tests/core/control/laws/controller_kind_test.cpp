@@ -42,11 +42,11 @@ ControllerKind named(const char* name) {
   return kind;
 }
 
-TEST(ControllerKind, OfArmtuneAreSix) {
+TEST(ControllerKind, OfArmtuneAreSeven) {
   std::vector<std::string> names;
   for (const ControllerKind* kind : controller_kinds()) names.push_back(kind->name);
-  ASSERT_GE(names.size(), 6U);
-  names.resize(6);
+  ASSERT_GE(names.size(), 7U);
+  names.resize(7);
   EXPECT_THAT(names,
               testing::ElementsAre("adaptive", "joint_pd", "computed_torque", "impedance", "joint_impedance",
                                    "joint_trajectory_controller", "joint_trajectory_controller_velocity"));
