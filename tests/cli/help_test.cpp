@@ -175,6 +175,11 @@ TEST(Help, WrongUsageEndsWithTwo) {
   }
 }
 
+TEST(Help, UsageNamesTheProgramAsUsersCallIt) {
+  EXPECT_THAT(run_program({}).err, HasSubstr("Usage: armtune [OPTIONS]"));
+  EXPECT_THAT(run_program({"tune", "--help"}).out, HasSubstr("Usage: armtune tune [OPTIONS]"));
+}
+
 TEST(Robot, ShowsJointsLimitsMassesAndReach) {
   const Finished shown = run_program({"robot", "ur10"});
   EXPECT_EQ(shown.exit_code, 0);

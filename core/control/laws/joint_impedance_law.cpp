@@ -79,7 +79,7 @@ ControllerKind joint_impedance_controller() {
                           "factor of the Coriolis and centrifugal torques that the controller adds", 1.0)),
        filter,
        not_tuned(own_gain(kScalar, "joint_impedance_torque_rate", "N m/s",
-                          "largest change of each commanded torque per second; 0: no limit", 1000.0))},
+                          "largest change of each commanded torque per second; 0: no limit", 0.0))},
       [](const LawSetup& setup) { return std::make_unique<JointImpedanceLaw>(setup); },
       [](const RobotModel& robot, const JointVector& q, Gains& gains) {
         critically_damped(robot, q, own(gains, "joint_impedance_k"), own(gains, "joint_impedance_d"));

@@ -13,8 +13,8 @@ inline constexpr const char* kJointImpedance = "joint_impedance";
 ///   tau = g(q) + (c, changed by at most torque_rate times the period).
 /// v, and c before the first period, begin at 0, as on the robot. g(q) and C follow from the controller's
 /// model of the arm, without friction; robots with a torque interface add g(q) themselves. Source:
-/// franka_ros, joint_impedance_example_controller.cpp, commit c11f000 (28 March 2024), with f = 0.01 and 1000
-/// N m/s.
+/// franka_ros, joint_impedance_example_controller.cpp, commit c11f000 (28 March 2024), with f = 0.01 and a
+/// torque_rate of 1000 N m/s (here the default is 0: no limit).
 ControllerKind joint_impedance_controller();
 
 }  // namespace armtune::internal
