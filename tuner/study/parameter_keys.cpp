@@ -50,6 +50,13 @@ bool turns_tool(const GainEntry& entry) {
   return component_names(*entry.field, {}).size() == 6 && entry.component >= kRotations;
 }
 
+/// True if it acts only on the motion of the tool, not in states that track joints.
+bool moves_tool(const GainEntry& entry) {
+  const auto* scalar = std::get_if<double Gains::*>(&entry.field->member);
+  if (scalar != nullptr && *scalar == &Gains::trajectoryDurationErrorGain) return true;
+  return turns_tool(entry) || component_names(*entry.field, {}).size() == 6;
+}
+
 template <typename List>
 auto find_by_name(List& list, const std::string& name) {
   return std::find_if(list.begin(), list.end(), [&name](const auto& p) { return p.entry.name == name; });
@@ -100,7 +107,7 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
 }  // namespace
 
 ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std::vector<std::string>& joints,
-                          bool orientation) {
+                          bool task, bool orientation) {
   ParameterSpace space;
   space.start = start;
   const auto all = gain_entries(start, joints);
@@ -108,7 +115,7 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std:
     for (const GainEntry& entry : all) {
       // Factors on a gain that is zero, and so switched off, are none.
       const bool off = entry.field->search == SearchRange::kFactor && value(start, entry) == 0.0;
-      const bool idle = !orientation && turns_tool(entry);
+      const bool idle = (!task && moves_tool(entry)) || (!orientation && turns_tool(entry));
       if (entry.field->search != SearchRange::kNone && !off && !idle)
         space.free.push_back(default_parameter(entry, start));
     }

@@ -243,7 +243,9 @@ Study read_study(const yaml::Node& root, const std::string& source, const std::s
   const yaml::Node* parameters = map.optional("parameters");
   const bool orientation = std::any_of(study.scenarios.begin(), study.scenarios.end(),
                                        [](const Scenario& s) { return tracks_orientation(s.mask); });
-  study.space = read_space(another ? nullptr : parameters, start, joints, orientation);
+  const bool task = std::any_of(study.scenarios.begin(), study.scenarios.end(),
+                                [](const Scenario& s) { return s.has_task(); });
+  study.space = read_space(another ? nullptr : parameters, start, joints, task, orientation);
   validate(study.space, root.file());
   const std::size_t n = study.space.free.size();
   for (const auto& corner :

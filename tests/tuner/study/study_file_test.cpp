@@ -88,6 +88,18 @@ TEST(StudyFile, OfAnotherControllerTunesThatOnesGainsFromTheirStart) {
   }
 }
 
+TEST(StudyFile, GainsOfTheToolsMotionAreNotTunedWhereJointMotionsAreFollowedAlone) {
+  for (const ControllerKind* kind : controller_kinds()) {
+    const Study study = load_study(ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/study.yaml", kind->name);
+    EXPECT_FALSE(study.space.free.empty()) << kind->name;
+    for (const Parameter& p : study.space.free) {
+      EXPECT_THAT(p.entry.name, AllOf(Not(HasSubstr("DurationErrorGain")), Not(testing::EndsWith("/rx")),
+                                      Not(testing::EndsWith("/x"))))
+          << kind->name;
+    }
+  }
+}
+
 TEST(StudyFile, NamesItsController) {
   const std::string named = "controller: impedance\nparameters: [{name: impedance_k/x}]\n";
   const Study study = parameters_study(named);
