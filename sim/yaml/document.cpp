@@ -144,7 +144,8 @@ class TreeBuilder final : public YAML::EventHandler {
     check_path(node);
     if (++item_count_ > max_items_) {
       fail_at(*file_, node.line_, {},
-              fmt::format("more than {} values; expected fewer in one file", max_items_));
+              fmt::format("the file has more than {} values, which is the largest number that is read",
+                          max_items_));
     }
     return node;
   }

@@ -95,7 +95,7 @@ TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
   const Finished fast =
       run_program({"excite", "ur10", "--frequency", "5", "--harmonics", "5", "--out", folder / "out"});
   EXPECT_EQ(fast.exit_code, 2);
-  EXPECT_THAT(fast.err, HasSubstr("the highest frequency may be 20 Hz"));
+  EXPECT_THAT(fast.err, HasSubstr("must not exceed 20 Hz"));
   const Finished fades =
       run_program({"excite", "ur10", "--duration", "3", "--fade", "2", "--out", folder / "out"});
   EXPECT_EQ(fades.exit_code, 2);

@@ -39,8 +39,9 @@ TEST(ArmSolids, EveryLinkCountsWithItsOwnShapes) {
   arm.shapes.push_back(beside);
   const ArmSolids all = arm_solids(arm);
   EXPECT_THAT(all.unknown, ElementsAre("camera"));
-  EXPECT_THAT(all.unread, ElementsAre(testing::AllOf(testing::StartsWith("nowhere.stl: no such file"),
-                                                     testing::HasSubstr("ARMTUNE_MESHES"))));
+  EXPECT_THAT(all.unread,
+              ElementsAre(testing::AllOf(testing::StartsWith("nowhere.stl: there is no such file"),
+                                         testing::HasSubstr("ARMTUNE_MESHES"))));
   EXPECT_EQ(all.solids.size(), arm.shapes.size() - 1) << "the readable shape of the camera is kept";
   std::erase_if(arm.shapes, [](const Shape& shape) { return shape.body == -1 || shape.body == 3; });
   EXPECT_THAT(arm_solids(arm).unknown, testing::Contains(arm.base_link));

@@ -49,7 +49,7 @@ TEST_F(EvaluationsReader, RefusesWhatIsNoneOfItsStudy) {
               HasSubstr("none.csv: no such file"));
   const std::string other = files_.write("other.csv", "evaluation,objective,violation\n0,1,0\n");
   EXPECT_THAT(test::refusal([&] { read_evaluations(CsvTable::read(other), study_); }),
-              testing::AllOf(HasSubstr("other.csv:1: no column 'task_space_gains_p/rx'")));
+              testing::AllOf(HasSubstr("no column 'task_space_gains_p/rx'")));
   std::string text = test::read_text(written());
   const std::string torn = files_.write("torn.csv", text.substr(0, text.rfind(',')));
   EXPECT_EQ(read_evaluations(CsvTable::read(torn), study_).size(), 2U)

@@ -239,7 +239,7 @@ TEST_F(LogMistakes, LimitsOfASlidingJointAreForces) {
     at.torque[1] = 1000.0 * model_.joints[1].limits.effort;
   }
   EXPECT_THAT(test::refusal([&] { check_units(model_, log_, "log.csv"); }),
-              AllOf(HasSubstr(model_.joints[1].name), HasSubstr(" N,"), HasSubstr(" mN "),
+              AllOf(HasSubstr(model_.joints[1].name), HasSubstr(" N,"), HasSubstr(" mN,"),
                     Not(HasSubstr("N mm")), Not(HasSubstr("N m,"))));
 }
 

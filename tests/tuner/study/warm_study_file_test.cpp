@@ -81,8 +81,8 @@ TEST_F(WarmStudyFile, GainsOutsideTheBoundsBeginAtTheNearerAndAreNamed) {
   const WarmPoint point = warm_point(study.space, *study.warm);
   EXPECT_EQ(point.x, (std::vector<double>{1.0, 0.0}));
   ASSERT_EQ(point.clamped.size(), 2U);
-  EXPECT_THAT(point.clamped[0],
-              AllOf(HasSubstr("other.yaml"), HasSubstr("task_space_gains_p/rx 400"), HasSubstr("10 .. 60")));
+  EXPECT_THAT(point.clamped[0], AllOf(HasSubstr("other.yaml"), HasSubstr("task_space_gains_p/rx is 400"),
+                                      HasSubstr("10 .. 60")));
 }
 
 TEST_F(WarmStudyFile, ReadsBackFromItsResolvedFormWithTheGainsKeptBesideIt) {
