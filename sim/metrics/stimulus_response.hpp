@@ -24,7 +24,7 @@ struct StimulusSignals {
 };
 
 /// Returns the signals at t [s]. path, target: undisturbed position of the path or of the target [m]. poses:
-/// poses of the arm, of which the true tool pose is used.
+/// true poses of the arm; only the tool's pose is used.
 ///
 /// With a target, both signals are angles from the line between tool and undisturbed target, positive towards
 /// the stimulus. The reference is the angle of the line to the shifted target, and the response is the angle

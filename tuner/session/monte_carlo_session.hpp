@@ -1,6 +1,6 @@
 #pragma once
-// The work of the command `armtune robustness`. It simulates a gain set on many arms, each of which differs
-// at random from the model of the arm. It reports the metrics on each arm, the spread of each metric over the
+// The work of the command `armtune robustness`. It simulates a gain set on many arms that differ at
+// random from the model of the arm. It reports the metrics on each arm, the spread of each metric over the
 // arms, and the yield. The yield is the share of arms that keep their limits. If the session has an output
 // folder, it writes all files there, and an interrupted run can be resumed.
 

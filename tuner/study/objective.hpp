@@ -17,7 +17,7 @@ namespace armtune::internal {
 /// A term of the objective. It is the weight times the mean of the metric's score (term_score.hpp) over the
 /// scenarios. The score is relative to the metric's value with the start gains, the reference.
 struct ObjectiveTerm {
-  Metric metric = Metric::kPositionMax;  ///< one of which either larger or smaller values are better
+  Metric metric = Metric::kPositionMax;  ///< a metric with a direction: larger or smaller is better
   double weight = 1.0;
   double floor = 0.0;                  ///< the reference is at least this; in the metric's unit
   std::vector<std::size_t> scenarios;  ///< indices into the study's scenarios; the metric applies to each

@@ -1,6 +1,6 @@
 #pragma once
 // Score of one objective term in one scenario: a metric relative to its reference. The reference itself
-// scores 1. A smaller score is always better, also for metrics of which a larger value is better.
+// scores 1. A smaller score is always better, even if a larger value of the metric is better.
 
 #include "sim/metrics/metric.hpp"
 

@@ -17,8 +17,8 @@ struct Criterion {
   bool larger_is_better() const;
 };
 
-/// Returns the criterion with this name: "objective", or the name of a metric of which either larger or
-/// smaller values are better. Throws InputError for other names.
+/// Returns the criterion with this name: "objective", or the name of a metric with a direction: larger
+/// values are better, or smaller ones. Throws InputError for other names.
 Criterion criterion_from_name(const std::string& name);
 
 /// Returns the criterion's value: the objective, or the metric's worst value in the metric's unit. The worst

@@ -71,11 +71,13 @@ void add_engine_assumption(Engine engine, const std::string& which, SimulationVe
 
 void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
                                SimulationVerdict& verdict) {
-  if (gains.controller == kJointImpedance)
-    add_once(
-        "joint_impedance as docs/joint_impedance.md describes it: it runs at the scenarios' control period, "
-        "and the torque that holds the arm is the controller's own",
-        verdict.assumes);
+  if (gains.controller == kJointImpedance) {
+    const bool any_rate = own(gains, "joint_impedance_torque_rate")[0] == 0.0;
+    add_once(fmt::format("joint_impedance as docs/joint_impedance.md describes it: it runs at the scenarios' "
+                         "control period, and the torque that holds the arm follows from theta_start{}",
+                         any_rate ? "; the robot does not limit how fast torques change" : ""),
+             verdict.assumes);
+  }
   if (!is_joint_trajectory_controller(gains.controller)) return;
   for (const Scenario& scenario : scenarios) {
     const RobotModel& robot = *scenario.robot;

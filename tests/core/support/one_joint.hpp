@@ -1,7 +1,9 @@
 #pragma once
 // An arm of one joint, whose closed loop a few lines can integrate once more.
 
+#include "core/control/laws/controller_kind.hpp"
 #include "core/robot/forward_dynamics.hpp"
+#include "core/trajectory/joint_spline.hpp"
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal::test {
@@ -22,6 +24,25 @@ inline RobotModel pendulum() {
   chain.coulomb_friction[0] = 0.0;
   arm.joints[0].limits = {true, -3.0, 3.0, 10.0, 1e4};
   return arm;
+}
+
+/// Gains of a controller that follows joint motions, for one joint; those of its law are to be set.
+inline Gains one_joint_gains(const char* controller) {
+  Gains gains;
+  change_controller(gains, controller, 1);
+  gains.joint_space_gains_p = gains.joint_space_gains_d = gains.joint_space_goal = JointVector::Zero(1);
+  gains.joint_trajectory_duration = 1.0;
+  gains.force_control_gains = JointVector::Zero(1);
+  return gains;
+}
+
+/// Acceleration linear between the knots: 0.2 + 0.3 t^3 until 1 s, then 0.5 + 0.9 s + 0.9 s^2 - 0.6 s^3.
+inline JointSpline one_joint_plan() {
+  const auto at = [](double q, double v, double a) {
+    return MotionPoint<JointVector>{JointVector::Constant(1, q), JointVector::Constant(1, v),
+                                    JointVector::Constant(1, a)};
+  };
+  return JointSpline({0.0, 1.0, 2.0}, {at(0.2, 0.0, 0.0), at(0.5, 0.9, 1.8), at(1.7, 0.9, -1.8)});
 }
 
 /// q'' of the pendulum, written out.

@@ -1,4 +1,4 @@
-// The smallest distances over a motion, of which few are computed.
+// The smallest distances over a motion are found although few distances are computed.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Logs that identification refuses, and right ones that it does not.
+// Identification refuses wrong logs and accepts right ones.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/first_gains.hpp"
 #include "core/robot/link_radius.hpp"
 #include "core/robot/rotor_estimate.hpp"
@@ -309,9 +310,14 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   EXPECT_THAT(verdict.assumes,
               ElementsAre(HasSubstr("bandwidth of 60 rad/s"), HasSubstr("an empty integral")));
   verdict.assumes.clear();
-  gains.controller = "joint_impedance";
+  change_controller(gains, "joint_impedance", 7);
   add_controller_assumption(franka, gains, verdict);
-  EXPECT_THAT(verdict.assumes, ElementsAre(HasSubstr("docs/joint_impedance.md")));
+  EXPECT_THAT(verdict.assumes, ElementsAre(AllOf(HasSubstr("docs/joint_impedance.md"),
+                                                 HasSubstr("does not limit how fast torques change"))));
+  verdict.assumes.clear();
+  own(gains, "joint_impedance_torque_rate")[0] = 1000.0;
+  add_controller_assumption(franka, gains, verdict);
+  EXPECT_THAT(verdict.assumes, ElementsAre(testing::Not(HasSubstr("limit"))));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct ExciteOutcome {
   std::vector<std::string> files;          ///< names of the files in the folder
 };
 
-/// An observer of this session, which reports its progress.
+/// Receives the progress of an ExciteSession.
 class ExciteObserver : public SessionObserver {
  public:
   /// Called when the trajectory is written.

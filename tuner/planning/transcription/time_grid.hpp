@@ -1,6 +1,6 @@
 #pragma once
-// The time grid of a trajectory. It consists of phases, each of which has intervals of equal length. The
-// duration of a phase may be free.
+// The time grid of a trajectory. It consists of phases. The intervals of a phase have equal lengths, and its
+// duration may be free.
 
 #include <string>
 #include <vector>

@@ -97,21 +97,13 @@ TEST(JointImpedanceLaw, ItsCommandBeginsAtZeroAndChangesNoFasterThanItsRate) {
 // motion by Runge-Kutta's fourth order.
 TEST(JointImpedanceLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration) {
   const auto arm = std::make_shared<const RobotModel>(test::pendulum());
-  Gains gains;
-  change_controller(gains, "joint_impedance", 1);
-  gains.joint_space_gains_p = gains.joint_space_gains_d = gains.joint_space_goal = JointVector::Zero(1);
-  gains.joint_trajectory_duration = 1.0;
-  gains.force_control_gains = JointVector::Zero(1);
+  Gains gains = test::one_joint_gains("joint_impedance");
   own(gains, "joint_impedance_k")[0] = 400.0;
   own(gains, "joint_impedance_d")[0] = 30.0;
   own(gains, "joint_impedance_filter")[0] = 0.2;
   own(gains, "joint_impedance_torque_rate")[0] = 600.0;
   constexpr double kPeriod = 0.002;
-  const auto at = [](double q, double v, double a) {
-    return MotionPoint<JointVector>{JointVector::Constant(1, q), JointVector::Constant(1, v),
-                                    JointVector::Constant(1, a)};
-  };
-  const JointSpline plan({0.0, 1.0, 2.0}, {at(0.2, 0.0, 0.0), at(0.5, 0.9, 1.8), at(1.7, 0.9, -1.8)});
+  const JointSpline plan = test::one_joint_plan();
   Controller controller(arm, gains, theta_of(arm->chain), kPeriod, TaskMask::kPosition);
   Path path;
   Scene scene;

@@ -70,23 +70,14 @@ TEST(JointTrajectoryLaw, OfARobotThatCompensatesGravityHasTheWeightOnTop) {
 // motion by Runge-Kutta's fourth order.
 TEST(JointTrajectoryLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration) {
   const auto arm = std::make_shared<const RobotModel>(test::pendulum());
-  Gains gains;
-  change_controller(gains, "joint_trajectory_controller", 1);
-  gains.joint_space_gains_p = gains.joint_space_gains_d = gains.joint_space_goal = JointVector::Zero(1);
-  gains.joint_trajectory_duration = 1.0;
-  gains.force_control_gains = JointVector::Zero(1);
+  Gains gains = test::one_joint_gains("joint_trajectory_controller");
   own(gains, "jtc_p")[0] = 400.0;
   own(gains, "jtc_i")[0] = 900.0;
   own(gains, "jtc_d")[0] = 30.0;
   own(gains, "jtc_i_clamp")[0] = 4.0;
   own(gains, "jtc_ff_velocity_scale")[0] = 1.5;
   constexpr double kPeriod = 0.002;
-  const auto at = [](double q, double v, double a) {
-    return MotionPoint<JointVector>{JointVector::Constant(1, q), JointVector::Constant(1, v),
-                                    JointVector::Constant(1, a)};
-  };
-  // Acceleration linear between the knots: 0.2 + 0.3 t^3 until 1 s, then 0.5 + 0.9 s + 0.9 s^2 - 0.6 s^3.
-  const JointSpline plan({0.0, 1.0, 2.0}, {at(0.2, 0.0, 0.0), at(0.5, 0.9, 1.8), at(1.7, 0.9, -1.8)});
+  const JointSpline plan = test::one_joint_plan();
   Controller controller(arm, gains, theta_of(arm->chain), kPeriod, TaskMask::kPosition);
   const JointVector zero = JointVector::Zero(1);
   Path path;
@@ -127,11 +118,7 @@ TEST(JointTrajectoryLaw, WithVelocityCommandsTheDriveFollowsThePid) {
   model.drive_velocity_gain = JointVector::Constant(1, 40.0);
   model.drive_velocity_integral = JointVector::Constant(1, 300.0);
   const auto arm = std::make_shared<const RobotModel>(model);
-  Gains gains;
-  change_controller(gains, "joint_trajectory_controller_velocity", 1);
-  gains.joint_space_gains_p = gains.joint_space_gains_d = gains.joint_space_goal = JointVector::Zero(1);
-  gains.joint_trajectory_duration = 1.0;
-  gains.force_control_gains = JointVector::Zero(1);
+  Gains gains = test::one_joint_gains("joint_trajectory_controller_velocity");
   own(gains, "jtc_velocity_p")[0] = 9.0;
   own(gains, "jtc_velocity_i")[0] = 3.0;
   own(gains, "jtc_velocity_d")[0] = 0.1;
