@@ -1,7 +1,7 @@
 #pragma once
 // LU factorisation of a 6 x 6 matrix with partial pivoting. The scalar type T is double for one matrix, or a
-// SIMD type for several matrices at once; each matrix then swaps its own rows (pack.hpp). Source: Golub and Van
-// Loan, Matrix Computations, section 3.4.
+// SIMD type for several matrices at once; each matrix then swaps its own rows (pack.hpp). Source: Golub and
+// Van Loan, Matrix Computations, section 3.4.
 
 #include <array>
 #include <utility>
