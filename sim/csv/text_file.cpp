@@ -12,6 +12,7 @@
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/common/path_state.hpp"
+#include "core/common/write_all.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -47,16 +48,11 @@ std::string write_partial(const std::string& path, std::string_view text) {
   std::string partial = partial_path(path);
   const int file = make_partial_file(path);
   if (file < 0) fail_to_make(path);
-  while (!text.empty()) {
-    const ssize_t written = ::write(file, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int reason = errno;
-      ::close(file);
-      errno = reason;
-      give_up(partial, path, "write it");
-    }
-    text.remove_prefix(static_cast<std::size_t>(written));
+  if (!write_all(file, text)) {
+    const int reason = errno;
+    ::close(file);
+    errno = reason;
+    give_up(partial, path, "write it");
   }
   const bool synced = ::fsync(file) == 0;
   if (::close(file) != 0 || !synced) give_up(partial, path, "write it");

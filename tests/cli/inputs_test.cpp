@@ -87,6 +87,21 @@ TEST(Inputs, EditedAfterTheyWereReadAreToldOfAsTheyWereRead) {
   EXPECT_EQ(told.find("inputs")->find(evaluations)->as_string(), before);
 }
 
+TEST(Inputs, ThatChangedSinceTheRunAreRefusedByItsAnalyses) {
+  const ShortStudy files;
+  const Finished tuned =
+      test::Program({"tune", "study.yaml", "--out", "run", "--max-evaluations", "2", "--no-analysis"},
+                    files / "")
+          .wait();
+  ASSERT_THAT(tuned.exit_code, testing::AnyOf(0, 3)) << tuned.err;
+  files.write("short.yaml", "base: moving_target\nduration: 9\n");
+  for (const char* command : {"sensitivity", "yardstick"}) {
+    const Finished refused = test::Program({command, "run"}, files / "").wait();
+    EXPECT_EQ(refused.exit_code, 2) << command;
+    EXPECT_THAT(refused.err, HasSubstr("short.yaml: this file has changed since the run")) << command;
+  }
+}
+
 TEST(Inputs, FromAPipeAreReadOnceAndHashed) {
   const ShortStudy files;
   const std::string from_pipe = "cat " + (files / "gains.yaml") + " | exec \"$@\" --gains /dev/stdin";

@@ -105,6 +105,10 @@ TEST(Names, OfComparedSetsAreAllDifferent) {
   const std::string here = fs::current_path().filename().string();
   EXPECT_THAT(cli::set_labels({"p/a//", "p/b/.", "p/c/../d"}), testing::ElementsAre("a", "b", "d"));
   EXPECT_THAT(cli::set_labels({"."}), testing::ElementsAre(here));
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "real/start");
+  std::filesystem::create_directory_symlink(folder / "real/start", folder / "link");
+  EXPECT_THAT(cli::set_labels({folder / "link/.."}), testing::ElementsAre("real"));
   std::vector<std::string> sets;
   for (int i = 0; i < 40; ++i)
     sets.push_back(std::to_string(i) + "/a" + (i % 3 == 0 ? "" : "_" + std::to_string(i)));

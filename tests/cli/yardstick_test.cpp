@@ -131,6 +131,20 @@ TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {
   EXPECT_THAT(refused({files_ / "nowhere"}), HasSubstr("nowhere: is not a folder"));
 }
 
+TEST_F(YardstickProgram, NoticesAChangedScenarioThatTheRunNamedByARelativePath) {
+  const Finished done =
+      test::Program({"simulate", "quick_switch.yaml", "--gains", "gains.yaml", "--out", "run"}, files_ / "")
+          .wait();
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(test::Program({"yardstick", "run", "--knots", "60"}, files_ / "").wait().exit_code, 0);
+  files_.write("quick_switch.yaml", "base: target_switch\nduration: 6\nswitch_every: 3\n");
+  for (const std::string& folder : {files_ / "", std::string("/")}) {
+    const Finished refused = test::Program({"yardstick", files_ / "run"}, folder).wait();
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr(folder == "/" ? "no longer exists" : "has changed"));
+  }
+}
+
 TEST_F(YardstickProgram, AtTheEndOfASimulationItsLimitStandsBesideTheTime) {
   ASSERT_EQ(simulate("plain").exit_code, 0);
   const Finished held = simulate("held", {"--yardstick"});

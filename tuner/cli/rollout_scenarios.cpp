@@ -9,8 +9,7 @@
 #include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "tuner/report/provenance.hpp"
-#include "tuner/run/file_hash.hpp"
+#include "tuner/cli/changed_inputs.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/study/study.hpp"
 
@@ -20,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::string_view kBegin = "rollout_";
 constexpr std::string_view kEnd = ".csv";
-constexpr std::string_view kInput = "inputs/";     // of run.yaml's keys
 constexpr std::string_view kBundled = "bundled ";  // as shown_path says it
 
 bool exists(const std::string& path) {
@@ -54,19 +52,6 @@ std::vector<std::string> names_in(const std::string& folder) {
                     : fmt::format("one of its subfolders that have such files: {}", fmt::join(below, ", "))));
 }
 
-/// The files that a run was made from, as its run.yaml shows them, and their hashes.
-using Inputs = std::vector<std::pair<std::string, std::string>>;
-
-Inputs inputs_of(const std::string& run) {
-  Inputs inputs;
-  const auto path = find_run_file(run, "run.yaml");
-  if (!path) return inputs;
-  for (const auto& [key, value] : report::read_provenance(*path)) {
-    if (key.starts_with(kInput)) inputs.emplace_back(key.substr(kInput.size()), value);
-  }
-  return inputs;
-}
-
 /// The study's scenarios; none if there is no study, or its files were moved.
 std::vector<Scenario> studied(const std::string& run) {
   const auto path = find_run_file(run, "study.yaml");
@@ -78,7 +63,7 @@ std::vector<Scenario> studied(const std::string& run) {
   }
 }
 
-Scenario found_scenario(const std::string& name, const std::string& rollout, const Inputs& inputs) {
+Scenario found_scenario(const std::string& name, const std::string& rollout, const RunInputs& inputs) {
   std::string told = "is not bundled, and run.yaml names no file for it";
   for (const auto& [shown, hash] : inputs) {
     if (stem(shown) != name || shown.starts_with(kBundled) || !shown.ends_with(".yaml")) continue;
@@ -91,17 +76,13 @@ Scenario found_scenario(const std::string& name, const std::string& rollout, con
 }
 
 /// A plan for another scenario than the rollout's would mean nothing.
-void refuse_changed(const Scenario& scenario, const std::string& run, const Inputs& inputs) {
-  for (const std::string& file : scenario.inputs) {
-    const std::string shown = shown_path(file);
-    for (const auto& [then, hash] : inputs) {
-      if (then != shown || hash == hash_of_input(file)) continue;
-      throw InputError(
-          fmt::format("{}: this file has changed since the run {} simulated the scenario {}; simulate the "
-                      "scenario again, or use the file as it is now with --scenarios {}",
-                      shown, run, scenario.name, scenario.name));
-    }
-  }
+void refuse_changed(const Scenario& scenario, const std::string& run, const RunInputs& inputs) {
+  const std::string changed = changed_input(inputs, scenario.inputs);
+  if (changed.empty()) return;
+  throw InputError(
+      fmt::format("{}: this file has changed since the run {} simulated the scenario {}; simulate the "
+                  "scenario again, or use the file as it is now with --scenarios {}",
+                  changed, run, scenario.name, scenario.name));
 }
 
 }  // namespace
@@ -122,7 +103,7 @@ std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::ve
   const auto recorded = names_in(folder);
   if (recorded.empty()) without_rollouts(folder);
   const std::string run = run_of(folder);
-  const Inputs inputs = inputs_of(run);
+  const RunInputs inputs = inputs_of_run(run);
   const std::vector<Scenario> study = studied(run);
   scenarios.reserve(recorded.size());
   for (const std::string& name : recorded) {

@@ -5,10 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
+#include <string>
+#include <vector>
 
+#include "armtune/error.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "tuner/cli/changed_inputs.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
@@ -57,6 +61,11 @@ int run(const Arguments& args, RankGroup& team) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
   const Study study = load_study(run_file(args.run, "study.yaml"));
+  std::vector<std::string> files;
+  add_inputs(study.scenarios, files);
+  if (const std::string changed = changed_input(inputs_of_run(args.run), files); !changed.empty())
+    throw InputError(
+        fmt::format("{}: this file has changed since the run {}; tune again", changed, args.run));
   if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const Gains best = load_gains(gains_of(args), joint_names(*study.scenarios.front().robot));
   const HashedTable evaluations = read_hashed_table(run_file(args.run, "evaluations.csv"));

@@ -10,6 +10,7 @@
 
 #include "armtune/error.hpp"
 #include "core/common/file_name.hpp"
+#include "core/common/file_path.hpp"
 #include "sim/scenario/data_files.hpp"
 
 namespace armtune::internal::cli {
@@ -20,9 +21,12 @@ constexpr std::array<std::string_view, 3> kOtherColumns = {"scenario", "metric",
 
 std::string name_of(const std::string& set) {
   std::error_code none;
-  std::filesystem::path path =
-      std::filesystem::absolute(set, none).lexically_normal();  // "." has a name, too
+  std::filesystem::path path = without_dots(std::filesystem::absolute(set, none).string());  // "." has a name
   if (none) path = set;
+  if (path.filename() == "..") {  // after a symbolic link
+    path = std::filesystem::canonical(path, none);
+    if (none) path = set;
+  }
   if (!path.has_filename()) path = path.parent_path();  // of "folder//"
   std::string name = path.has_extension() ? stem(path.string()) : path.filename().string();
   std::replace(name.begin(), name.end(), ',', '_');

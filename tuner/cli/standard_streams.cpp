@@ -1,13 +1,14 @@
 #include "tuner/cli/standard_streams.hpp"
 
 #include <fcntl.h>
-#include <sys/poll.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+
+#include "core/common/write_all.hpp"
 
 namespace armtune::internal::cli {
 namespace {
@@ -22,28 +23,13 @@ struct Sink {
 Sink output{STDOUT_FILENO};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 Sink errors{STDERR_FILENO};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
-/// Waits until a descriptor that another process has made non-blocking takes text again. False if it never
-/// will.
-bool becomes_writable(int descriptor) {
-  pollfd wanted{descriptor, POLLOUT, 0};
-  return ::poll(&wanted, 1, -1) > 0 || errno == EINTR;
-}
-
 /// Writes all of a text, or drops the rest of it. It always reports success, because a stream that has failed
 /// makes fmt::print throw.
 ssize_t write_or_drop(void* cookie, const char* text, std::size_t size) {
   Sink& sink = *static_cast<Sink*>(cookie);
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t written = ::write(sink.descriptor, text + done, size - done);
-    if (written >= 0) {
-      done += static_cast<std::size_t>(written);
-      continue;
-    }
-    if (errno == EINTR || (errno == EAGAIN && becomes_writable(sink.descriptor))) continue;
+  if (!write_all(sink.descriptor, {text, size})) {
     int none = 0;
     sink.reason.compare_exchange_strong(none, errno);
-    break;
   }
   return static_cast<ssize_t>(size);
 }

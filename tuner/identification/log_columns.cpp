@@ -84,12 +84,20 @@ LogColumns load_log_columns(const std::string& path, const RobotModel& model) {
   const yaml::Node root = yaml::parse_file(path);
   yaml::MapReader map(root);
   const auto joints = joint_names(model);
-  LogColumns columns;
-  columns.time.name = map.string("time", "time");
-  if (const yaml::Node* scale = map.optional("time_scale")) columns.time.scale = checked_scale(*scale);
-  columns.position = read_columns(map.required("position"), joints);
-  if (const yaml::Node* node = map.optional("velocity")) columns.velocity = read_columns(*node, joints);
-  columns.torque = read_columns(map.required("torque"), joints);
+  LogColumns columns = default_log_columns(model);
+  columns.time.name = map.string("time", columns.time.name);
+  if (const yaml::Node* scale = map.optional("time_scale")) {
+    columns.time.scale = checked_scale(*scale);
+    if (columns.time.scale < 0.0) scale->fail("is negative; time stamps increase");
+  }
+  const yaml::Node* position = map.optional("position");
+  const yaml::Node* velocity = map.optional("velocity");
+  if (position != nullptr) columns.position = read_columns(*position, joints);
+  if (position != nullptr || velocity != nullptr) {
+    columns.velocity_optional = false;
+    columns.velocity = velocity == nullptr ? std::vector<LogColumn>() : read_columns(*velocity, joints);
+  }
+  if (const yaml::Node* torque = map.optional("torque")) columns.torque = read_columns(*torque, joints);
   if (const yaml::Node* units = map.optional("units"))
     use_units(yaml::read_file_units(*units, "time length angle torque"), model, columns);
   map.finish();

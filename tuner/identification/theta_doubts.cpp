@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tuner/identification/effort_words.hpp"
 
@@ -17,6 +18,10 @@ constexpr double kNoticeable = 0.2;  ///< share of a torque that theta may leave
 constexpr double kHeavier = 3.0;
 constexpr double kShareOfArm = 0.5;
 constexpr double kOtherArm = 1.8;
+constexpr double kDead =
+    0.05;  ///< share of the torque that the robot file needs; estimated rotors need a third
+constexpr double kFileFails = 0.5;   ///< share of every joint's torque that the robot file leaves
+constexpr double kThetaFails = 0.1;  ///< and theta of some joint's
 
 std::string check_joint(const RobotModel& model, int joint, const Unexplained& rows, double noise,
                         const char* which) {
@@ -34,6 +39,41 @@ std::string check_joint(const RobotModel& model, int joint, const Unexplained& r
       left, effort.unit, effort.name, info.name, which, effort.name, rows.torque[joint], rows.by_file[joint]);
 }
 
+/// A column with hardly anything in it can be explained by any parameters, as noise can.
+std::string check_channel(const RobotModel& model, int joint, const Unexplained& rows) {
+  const JointInfo& info = model.joints[static_cast<std::size_t>(joint)];
+  const double needed = rows.by_file[joint];  // the robot file's torque itself, where the log has none
+  if (needed < kLeastTorque * info.limits.effort || rows.torque[joint] > kDead * needed) return {};
+  const EffortWords effort = effort_words(model, joint);
+  return fmt::format(
+      "the {} of {} is only {:.3g} {}, but the parameters of the robot file need about {:.3g} (RMS values); "
+      "check its column, which may be dead, of another joint, or in another unit",
+      effort.name, info.name, rows.torque[joint], effort.unit, needed);
+}
+
+/// The geometry of another arm leaves torques that no masses explain.
+std::string check_arm(const RobotModel& model, const Identification& found) {
+  const Unexplained& rows = found.fitted;
+  double least = 1.0, worst = 0.0;
+  int at = -1;
+  for (int j = 0; j < model.n(); ++j) {
+    if (rows.torque[j] < kLeastTorque * model.joints[static_cast<std::size_t>(j)].limits.effort) continue;
+    least = std::min(least, rows.by_file[j] / rows.torque[j]);
+    const double left =
+        std::sqrt(std::max(0.0, std::pow(rows.by_theta[j], 2) - std::pow(found.torque_noise[j], 2)));
+    if (left <= worst * rows.torque[j]) continue;
+    worst = left / rows.torque[j];
+    at = j;
+  }
+  if (at < 0 || least < kFileFails || worst < kThetaFails) return {};
+  return fmt::format(
+      "the parameters of the robot file leave {:.0f} % or more of every joint's {} unexplained, and the "
+      "identified ones still leave {:.0f} % of {}; the log may be of another arm: check --robot. A robot file "
+      "without real masses looks like this too, if friction is not as armtune models it",
+      100.0 * least, effort_word_of_all(model, &EffortWords::name), 100.0 * worst,
+      model.joints[static_cast<std::size_t>(at)].name);
+}
+
 }  // namespace
 
 std::vector<std::string> theta_doubts(const RobotModel& model, const Identification& found) {
@@ -42,8 +82,10 @@ std::vector<std::string> theta_doubts(const RobotModel& model, const Identificat
     std::string doubt = check_joint(model, j, found.fitted, found.torque_noise[j], "on the rows of the fit");
     if (doubt.empty() && found.held_out.rows > 0)
       doubt = check_joint(model, j, found.held_out, found.torque_noise[j], "on the rows held out of the fit");
+    if (doubt.empty()) doubt = check_channel(model, j, found.fitted);
     if (!doubt.empty()) doubts.push_back(doubt);
   }
+  if (std::string doubt = check_arm(model, found); !doubt.empty()) doubts.push_back(std::move(doubt));
   const ParameterVector file = theta_of(model.chain);
   double arm = 0.0;
   double file_arm = 0.0;

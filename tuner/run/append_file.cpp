@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "armtune/error.hpp"
+#include "core/common/write_all.hpp"
 #include "sim/csv/text_file.hpp"
 
 namespace armtune::internal {
@@ -47,7 +48,7 @@ bool locked(int file, double patience) {
 }  // namespace
 
 AppendFile::AppendFile(const std::string& path, Open open, double patience)
-    : path_(path), published_(open != Open::kReplace) {
+    : path_(path), published_(open != Open::kReplace), holds_work_(open == Open::kContinue) {
   const std::string name = published_ ? path : partial_path(path);
   file_ = published_ ? ::open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags(open), 0644)
                      : make_partial_file(path, O_APPEND);
@@ -75,9 +76,8 @@ AppendFile::~AppendFile() {
 
 void AppendFile::fail(const char* what) const {
   throw FailedError(
-      fmt::format("{}: cannot {} this file: {}; it still holds all work that was finished "
-                  "before this error",
-                  path_, what, std::strerror(errno)));
+      fmt::format("{}: cannot {} this file: {}{}", path_, what, std::strerror(errno),
+                  holds_work_ ? "; it still holds all work that was finished before this error" : ""));
 }
 
 void AppendFile::append(const std::string& text, bool sync) {
@@ -86,15 +86,8 @@ void AppendFile::append(const std::string& text, bool sync) {
   if (::fstat(file_, &now) == 0 && now.st_nlink == 0) {
     throw FailedError(fmt::format("{}: the file was deleted during the run", path_));
   }
-  const char* data = text.data();
-  std::size_t left = text.size();
-  while (left > 0) {
-    const ssize_t written = ::write(file_, data, left);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail("append to");
-    data += written;
-    left -= static_cast<std::size_t>(written);
-  }
+  if (!write_all(file_, text)) fail("append to");
+  holds_work_ = true;
   if (sync) this->sync();
 }
 

@@ -37,6 +37,7 @@ class AppendFile {
 
   std::string path_;
   bool published_ = true;
+  bool holds_work_ = false;  ///< there are whole texts in the file
   int file_ = -1;
 };
 

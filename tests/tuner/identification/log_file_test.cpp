@@ -58,6 +58,23 @@ TEST_F(Logs, AColumnMapGivesNamesAndUnits) {
               AllOf(HasSubstr("m.yaml:1:"), HasSubstr("1 entries"), HasSubstr("2 joints")));
 }
 
+TEST_F(Logs, WhatAColumnMapLeavesOutIsCalledAsUsual) {
+  const auto joints = joint_names(arm_);
+  columns_ = load_log_columns(folder_.write("map.yaml", "time_scale: 1e-3\n"), arm_);
+  std::string head = "time";
+  for (const char* what : {"position", "velocity", "torque"}) {
+    for (const std::string& joint : joints) head += ",joint/" + joint + "/" + what;
+  }
+  const auto samples = read(head + "\n0,1,2,3,4,5,6\n500,1,2,3,4,5,6\n");
+  EXPECT_EQ(samples[1].time, 0.5);
+  EXPECT_EQ(samples[1].qd, JointVector(Eigen::Vector2d(3, 4)));
+  EXPECT_EQ(samples[1].torque, JointVector(Eigen::Vector2d(5, 6)));
+  columns_ = load_log_columns(folder_.write("map.yaml", "position: {columns: [a, b]}\n"), arm_);
+  EXPECT_TRUE(columns_.velocity.empty()) << "of other columns nothing is known";
+  EXPECT_THAT(test::refusal([&] { load_log_columns(folder_.write("map.yaml", "time_scale: -1\n"), arm_); }),
+              AllOf(HasSubstr("map.yaml:1:"), HasSubstr("negative")));
+}
+
 TEST_F(Logs, UnitsCountForAllColumnsBesideTheirScales) {
   columns_ = load_log_columns(
       folder_.write("map.yaml",

@@ -61,6 +61,28 @@ TEST_F(ThetaDoubts, NoiseAndTorquesNextToNothingDoNotCount) {
   found_ = plausible(model_);
   found_.fitted.torque[3] = found_.held_out.torque[3] = 1e-3 * model_.effort_limits()[3];
   found_.fitted.by_theta[3] = found_.held_out.by_theta[3] = 0.99 * found_.fitted.torque[3];
+  found_.fitted.by_file[3] = found_.held_out.by_file[3] = 0.99 * found_.fitted.torque[3];
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
+}
+
+TEST_F(ThetaDoubts, ADeadColumnIsNamedWhateverItsNoise) {
+  for (Unexplained* rows : {&found_.fitted, &found_.held_out}) {
+    rows->torque[3] = 1e-5 * model_.effort_limits()[3];
+    rows->by_theta[3] = 100.0 * rows->torque[3];
+    rows->by_file[3] = 0.1 * model_.effort_limits()[3];
+  }
+  found_.torque_noise[3] = found_.fitted.by_theta[3];
+  EXPECT_THAT(theta_doubts(model_, found_),
+              ElementsAre(AllOf(HasSubstr(model_.joints[3].name), HasSubstr("may be dead"))));
+}
+
+TEST_F(ThetaDoubts, ALogThatNeitherParametersExplainMayBeOfAnotherArm) {
+  found_.fitted.by_file = 0.6 * found_.fitted.torque;
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty()) << "the robot file may have no real masses";
+  found_.fitted.by_theta[2] = 0.18 * found_.fitted.torque[2];
+  EXPECT_THAT(theta_doubts(model_, found_),
+              ElementsAre(AllOf(HasSubstr("another arm"), HasSubstr(model_.joints[2].name))));
+  found_.fitted.by_file[4] = 0.3 * found_.fitted.torque[4];
   EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
 }
 
