@@ -20,7 +20,7 @@ GainField of_law(GainField field) {
 }
 
 GainField in_loop(GainField field) {
-  field.in_loop = true;
+  field.loop = LoopGain::kFactor;
   return field;
 }
 

@@ -22,6 +22,13 @@ enum class SearchRange {
   kCriticalDamping
 };
 
+/// How a factor on the gain of the control loop changes a gain, for the gain margin.
+enum class LoopGain : unsigned char {
+  kNone,    ///< not at all
+  kFactor,  ///< multiplies it by the factor
+  kRoot     ///< multiplies it by the root of the factor, as a damping ratio beside a stiffness
+};
+
 /// The number of values of a gain that only one kind of controller has: one, six of the task
 /// (x y z rx ry rz), or one per joint.
 enum class GainShape { kScalar, kTask, kJoints };
@@ -50,8 +57,7 @@ struct GainField {
   /// True if the gain belongs to a control law: only controllers that name it in ControllerKind::uses have
   /// it. Gains of states, references and limits belong to every controller.
   bool of_law = false;
-  /// True if a factor on this gain is a factor on the gain of the control loop (for the gain margin).
-  bool in_loop = false;
+  LoopGain loop = LoopGain::kNone;
   /// Default of each value of a gain that only one kind has, if a gains file does not give it.
   double otherwise = 0.0;
 

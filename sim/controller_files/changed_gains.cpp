@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <unordered_map>
-#include <utility>
+#include <variant>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
-#include "core/control/laws/joint_trajectory_law.hpp"
-#include "sim/controller_files/joint_parameters.hpp"
-#include "sim/controller_files/joint_trajectory_file.hpp"
+#include "core/control/laws/controller_kind.hpp"
+#include "sim/controller_files/controller_gains.hpp"
+#include "sim/controller_files/parameter_reader.hpp"
 #include "sim/yaml/decimal.hpp"
 
 namespace armtune::internal {
@@ -55,16 +54,24 @@ struct Change {
   std::string gain;  ///< "p of shoulder"
 };
 
-/// What a gain of a joint is to be. None: the file has no number for it.
-std::optional<Change> change_of(const PlacedValue* at, const std::string& gain, double now, double wanted) {
-  if (at == nullptr || !at->has_place()) return std::nullopt;
-  return Change{at, now != wanted, now == wanted ? at->text : yaml::decimal(wanted), gain};
+/// The numbers of the file, in its order, each with what it must become.
+std::vector<Change> changes_of(const std::vector<PlacedGain>& now, const std::vector<PlacedGain>& wanted) {
+  std::vector<Change> changes;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    const PlacedValue* at = now[k].at;
+    if (at == nullptr || !at->has_place()) continue;
+    const bool differs = now[k].value != wanted[k].value;
+    changes.push_back({at, differs, differs ? yaml::decimal(wanted[k].value) : at->text, now[k].name});
+  }
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const Change& a, const Change& b) { return a.at->begin < b.at->begin; });
+  return changes;
 }
 
 /// Throws InputError if the changed text does not read back as the gains.
 void refuse_what_is_lost(const std::string& changed, const RosController& controller, const std::string& file,
                          const Gains& gains, const std::vector<std::string>& joints) {
-  const Gains back = joint_trajectory_gains(
+  const Gains back = controller_gains(
       chosen_controller(ros_controllers(changed, file), file, controller.name), file, joints);
   for (const GainField& field : fields_of(gains)) {
     const auto* own_gain = std::get_if<OwnGain>(&field.member);
@@ -86,30 +93,13 @@ void refuse_what_is_lost(const std::string& changed, const RosController& contro
 
 std::string with_gains(const std::string& text, const RosController& controller, const std::string& file,
                        const Gains& gains, const std::vector<std::string>& joints) {
-  const JointParameters parameters(controller, file);
-  const Gains now = joint_trajectory_gains(controller, file, joints);
+  const ParameterReader parameters(controller, file);
+  const Gains now = controller_gains(controller, file, joints);
   if (gains.controller != now.controller)
     throw InputError(fmt::format("{}: {} is a {}, but the gains are for a {}", file, controller.name,
                                  now.controller, gains.controller));
-  std::vector<Change> changes;
-  const auto add = [&changes](const PlacedValue* at, const std::string& gain, double had, double wanted) {
-    if (auto change = change_of(at, gain, had, wanted)) changes.push_back(std::move(*change));
-  };
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    const std::string& joint = joints[k];
-    const auto place = static_cast<Eigen::Index>(k);
-    for (const char* name : kGainNames) {
-      add(parameters.of_joint(joint, name), fmt::format("{} of {}", name, joint), jtc_gain(now, name)[place],
-          jtc_gain(gains, name)[place]);
-    }
-    const double had = jtc_gain(now, "i_clamp")[place], wanted = jtc_gain(gains, "i_clamp")[place];
-    for (const auto& [key, sign] : {std::pair{"i_clamp", 1.0}, {"i_clamp_max", 1.0}, {"i_clamp_min", -1.0}})
-      add(parameters.of_joint(joint, key), fmt::format("{} of {}", key, joint), sign * had, sign * wanted);
-    add(parameters.feed_forward(joint), "feed-forward of " + joint, jtc_gain(now, "ff_velocity_scale")[place],
-        jtc_gain(gains, "ff_velocity_scale")[place]);
-  }
-  std::stable_sort(changes.begin(), changes.end(),
-                   [](const Change& a, const Change& b) { return a.at->begin < b.at->begin; });
+  const std::vector<Change> changes =
+      changes_of(placed_gains(controller, file, now, joints), placed_gains(controller, file, gains, joints));
   const Uses uses(*controller.all);
   std::string changed;
   std::size_t copied = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Writes tuned gains back into the parameter file of a ROS joint_trajectory_controller. Only the numbers of
+// Writes tuned gains back into the ROS parameter file of their controller. Only the numbers of
 // the gains change in the file; comments, layout and all other parameters stay.
 
 #include <string>

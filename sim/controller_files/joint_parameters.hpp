@@ -4,23 +4,16 @@
 #include <array>
 #include <string>
 
-#include "sim/controller_files/ros_controllers.hpp"
+#include "sim/controller_files/parameter_reader.hpp"
 
 namespace armtune::internal {
 
 /// The keys of the PID gains in a joint's map of the file. jtc_name() converts each to armtune's name.
 inline constexpr std::array kGainNames = {"p", "i", "d"};
 
-class JointParameters {
+class JointParameters : public ParameterReader {
  public:
-  /// Both arguments must outlive this object.
-  JointParameters(const RosController& controller, const std::string& file)
-      : controller_(controller), file_(file) {}
-
-  const RosController& controller() const { return controller_; }
-
-  /// Throws InputError "FILE:LINE: CONTROLLER: what".
-  [[noreturn]] void fail(int line, const std::string& what) const;
+  using ParameterReader::ParameterReader;
 
   /// Returns the value of a joint at `key`, or null if the file has none.
   const yaml::PlacedValue* of_joint(const std::string& joint, const char* key) const;
@@ -28,10 +21,6 @@ class JointParameters {
   /// Returns the joint's feed-forward factor on the desired velocity, or null if there is none. In ROS 1
   /// files it is in a separate map.
   const yaml::PlacedValue* feed_forward(const std::string& joint) const;
-
- private:
-  const RosController& controller_;
-  const std::string& file_;
 };
 
 }  // namespace armtune::internal

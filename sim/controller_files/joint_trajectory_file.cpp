@@ -4,11 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string_view>
+#include <utility>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
@@ -30,37 +29,6 @@ class Reader : public JointParameters {
   using JointParameters::JointParameters;
   using JointParameters::of_joint;
 
-  /// Infinite where the file says so (.inf).
-  double number(const PlacedValue& value, const std::string& what) const {
-    std::string_view text = value.text;
-    if (value.kind == PlacedValue::Kind::kScalar) {
-      const bool minus = text.starts_with('-');
-      const std::string_view size = text.substr(minus || text.starts_with('+') ? 1 : 0);
-      if (size == ".inf" || size == ".Inf" || size == ".INF") return minus ? -kUnbounded : kUnbounded;
-      double number = 0.0;
-      const auto [end, error] = std::from_chars(size.data(), size.data() + size.size(), number);
-      if (error == std::errc() && end == size.data() + size.size() && std::isfinite(number) &&
-          !size.starts_with('-') && value.has_place() && is_same_to_all(size))
-        return minus ? -number : number;
-    }
-    fail(value.line, fmt::format("{} is {}; expected a plain number without quotes, tags or leading zeros{}",
-                                 what, shown(value.text),
-                                 controller().ros2 ? "" : ", with a decimal point before an exponent"));
-  }
-
-  /// 010 is octal to YAML 1.1, and 3e2 a text.
-  bool is_same_to_all(std::string_view digits) const {
-    if (digits.size() > 1 && digits[0] == '0' && digits[1] >= '0' && digits[1] <= '9') return false;
-    return controller().ros2 || digits.find_first_of("eE") == std::string_view::npos ||
-           digits.find('.') != std::string_view::npos;
-  }
-
-  double finite(const PlacedValue& value, const std::string& what) const {
-    const double found = number(value, what);
-    if (!std::isfinite(found))
-      fail(value.line, fmt::format("{} is {}; expected a finite number", what, value.text));
-    return found;
-  }
   double of_joint(const std::string& joint, const char* key, double otherwise) const {
     const PlacedValue* value = of_joint(joint, key);
     return value == nullptr ? otherwise : number(*value, fmt::format("gains/{}/{}", joint, key));
@@ -211,6 +179,26 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
   }
   jtc_gain(gains, "antiwindup")[0] = anti_windup.value_or(1.0);
   return gains;
+}
+
+std::vector<PlacedGain> placed_trajectory_gains(const RosController& controller, const std::string& file,
+                                                const Gains& gains, const std::vector<std::string>& joints) {
+  const JointParameters parameters(controller, file);
+  std::vector<PlacedGain> placed;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const std::string& joint = joints[k];
+    const auto place = static_cast<Eigen::Index>(k);
+    const auto add = [&](const char* key, double value) {
+      placed.push_back({parameters.of_joint(joint, key), fmt::format("{} of {}", key, joint), value});
+    };
+    for (const char* name : kGainNames) add(name, jtc_gain(gains, name)[place]);
+    const double clamp = jtc_gain(gains, "i_clamp")[place];
+    for (const auto& [key, sign] : {std::pair{"i_clamp", 1.0}, {"i_clamp_max", 1.0}, {"i_clamp_min", -1.0}})
+      add(key, sign * clamp);
+    placed.push_back({parameters.feed_forward(joint), "feed-forward of " + joint,
+                      jtc_gain(gains, "ff_velocity_scale")[place]});
+  }
+  return placed;
 }
 
 }  // namespace armtune::internal

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/control/gains.hpp"
+#include "sim/controller_files/placed_gain.hpp"
 #include "sim/controller_files/ros_controllers.hpp"
 
 namespace armtune::internal {
@@ -20,5 +21,10 @@ namespace armtune::internal {
 ///   - a joint has an integral gain and no clamp, which ROS distributions treat differently.
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);
+
+/// Returns the numbers of p, i, d, the clamps and the feed-forward of each joint in the file, with their
+/// values in `gains`.
+std::vector<PlacedGain> placed_trajectory_gains(const RosController& controller, const std::string& file,
+                                                const Gains& gains, const std::vector<std::string>& joints);
 
 }  // namespace armtune::internal

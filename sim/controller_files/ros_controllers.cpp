@@ -30,6 +30,14 @@ bool has_gains(const PlacedValue& map) {
   });
 }
 
+bool has_impedance(const PlacedValue& map) {
+  const auto is_list = [&map](const char* key) {
+    const PlacedValue* list = map.find(key);
+    return list != nullptr && list->kind == PlacedValue::Kind::kSequence;
+  };
+  return is_list("k_gains") && is_list("d_gains");
+}
+
 /// Calls `see` with every map and the keys above it.
 void walk(const yaml::Placed& value, std::vector<std::string>& keys,
           const std::function<void(const yaml::Placed&, const std::vector<std::string>&)>& see) {
@@ -48,13 +56,11 @@ std::string scalar_at(const PlacedValue& map, const char* key) {
   return value != nullptr && value->kind == PlacedValue::Kind::kScalar ? value->text : std::string();
 }
 
-}  // namespace
-
-bool may_hold_controllers(std::string_view text) {
-  constexpr std::string_view kKey = "gains";
+/// Whether a text has a key of this name.
+bool has_key(std::string_view text, std::string_view key) {
   constexpr std::string_view kQuotes = "'\"";
-  for (auto at = text.find(kKey); at != std::string_view::npos; at = text.find(kKey, at + 1)) {
-    auto before = at, after = at + kKey.size();
+  for (auto at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
+    auto before = at, after = at + key.size();
     if (before > 0 && kQuotes.find(text[before - 1]) != std::string_view::npos) --before;
     if (after < text.size() && kQuotes.find(text[after]) != std::string_view::npos) ++after;
     const std::string_view line =
@@ -67,6 +73,23 @@ bool may_hold_controllers(std::string_view text) {
   return false;
 }
 
+bool is_trajectory(const RosController& controller) {
+  if (controller.layout != GainLayout::kPidByJoint) return false;
+  if (!controller.type.empty()) return controller.type.ends_with("JointTrajectoryController");
+  return controller.parameters->find("joints") != nullptr ||
+         controller.parameters->find("command_interfaces") != nullptr;
+}
+
+bool is_impedance(const RosController& controller) {
+  return controller.layout == GainLayout::kImpedance;
+}
+
+}  // namespace
+
+bool may_hold_controllers(std::string_view text) {
+  return has_key(text, "gains") || has_key(text, "k_gains");
+}
+
 std::vector<RosController> ros_controllers(const std::string& text, const std::string& file) {
   const yaml::Placed root = yaml::read_placed(text, file);
   std::vector<RosController> found;
@@ -75,8 +98,10 @@ std::vector<RosController> ros_controllers(const std::string& text, const std::s
   walk(root, keys, [&](const yaml::Placed& map, const std::vector<std::string>& above) {
     const std::string type = scalar_at(*map, "type");
     if (!type.empty() && !above.empty()) types.emplace_back(above.back(), type);
-    if (!has_gains(*map)) return;
+    const bool impedance = has_impedance(*map);
+    if (!impedance && !has_gains(*map)) return;
     RosController controller;
+    controller.layout = impedance ? GainLayout::kImpedance : GainLayout::kPidByJoint;
     controller.ros2 = !above.empty() && above.back() == kRos2Parameters;
     std::vector<std::string> name = above;
     std::erase(name, kRos2Parameters);
@@ -95,31 +120,35 @@ std::vector<RosController> ros_controllers(const std::string& text, const std::s
   return found;
 }
 
-bool is_joint_trajectory_controller(const RosController& controller) {
-  if (!controller.type.empty()) return controller.type.ends_with("JointTrajectoryController");
-  return controller.parameters->find("joints") != nullptr ||
-         controller.parameters->find("command_interfaces") != nullptr;
-}
-
 RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,
                                 const std::string& name) {
   std::vector<std::string> names;
-  std::vector<const RosController*> able;
-  for (const RosController& controller : all) {
-    names.push_back(controller.name);
-    if (name.empty() ? is_joint_trajectory_controller(controller) : controller.name == name)
-      able.push_back(&controller);
-  }
-  if (able.size() == 1) return *able.front();
+  for (const RosController& controller : all) names.push_back(controller.name);
+  const auto those = [&all](const std::function<bool(const RosController&)>& fits) {
+    std::vector<const RosController*> able;
+    for (const RosController& controller : all) {
+      if (fits(controller)) able.push_back(&controller);
+    }
+    return able;
+  };
   const std::string there =
       names.empty() ? "the file has none" : fmt::format("the file has: {}", fmt::join(names, ", "));
-  if (!name.empty())
+  if (!name.empty()) {
+    const auto able = those([&name](const RosController& controller) { return controller.name == name; });
+    if (able.size() == 1) return *able.front();
     throw InputError(
         fmt::format("{}: no controller '{}' with gains{}; {}", file, name, suggestion(name, names), there));
-  throw InputError(
-      fmt::format("{}: found {} joint trajectory controllers with gains; {}{}", file,
-                  able.empty() ? "no" : fmt::to_string(able.size()), there,
-                  able.empty() ? "" : "; name one of them: --node NAME, or in a study 'node: NAME'"));
+  }
+  const char* what = "joint trajectory controllers";
+  auto able = those(is_trajectory);
+  if (able.empty() && !those(is_impedance).empty()) {
+    able = those(is_impedance);
+    what = "joint impedance controllers";
+  }
+  if (able.size() == 1) return *able.front();
+  throw InputError(fmt::format(
+      "{}: found {} {} with gains; {}{}", file, able.empty() ? "no" : fmt::to_string(able.size()), what,
+      there, able.empty() ? "" : "; name one of them: --node NAME, or in a study 'node: NAME'"));
 }
 
 }  // namespace armtune::internal

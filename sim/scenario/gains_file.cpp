@@ -11,7 +11,7 @@
 #include "core/common/input_file.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/valid_gains.hpp"
-#include "sim/controller_files/joint_trajectory_file.hpp"
+#include "sim/controller_files/controller_gains.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/decimal.hpp"
 #include "sim/yaml/force_gains.hpp"
@@ -109,14 +109,14 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
   const std::string path = find_data_file("gains", name_or_path, relative_to);
   const std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
   if (const auto controllers = controllers_in(text, path); !controllers.empty()) {
-    Gains gains = joint_trajectory_gains(chosen_controller(controllers, path, node), path, joints);
+    Gains gains = controller_gains(chosen_controller(controllers, path, node), path, joints);
     validate(gains, joints, path);
     return gains;
   }
   if (!node.empty())
     throw InputError(fmt::format(
-        "{}: this is not a ROS parameter file with controllers; remove the option or key that names the node "
-        "'{}'",
+        "{}: a node ('{}') can be named only for a ROS parameter file with controllers, which this is not; "
+        "remove the option or key that names the node",
         path, node));
   const yaml::Node root = yaml::parse_text(text, path);
   const yaml::Node& fields = fields_node(root);

@@ -131,7 +131,8 @@ TEST_F(ExportCommand, GivesAFileOfAnotherControllerBackWithOtherNumbers) {
 
   const Finished other = run_program({"export", "published", "--into", file, "--out", files_ / "no.yaml"});
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.err, AllOf(HasSubstr("'adaptive'"), HasSubstr("a joint trajectory controller")));
+  EXPECT_THAT(other.err,
+              AllOf(HasSubstr("'adaptive'"), HasSubstr("arm_controller is a joint_trajectory_controller")));
   EXPECT_EQ(
       run_program({"export", tuned, "--into", files_ / "none.yaml", "--out", files_ / "no.yaml"}).exit_code,
       2);

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
+#include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
 #include "sim/controller_files/changed_gains.hpp"
-#include "sim/controller_files/joint_trajectory_file.hpp"
+#include "sim/controller_files/controller_gains.hpp"
 #include "tests/fuzz/support/input.hpp"
 
 namespace armtune::internal::fuzz {
@@ -23,14 +24,15 @@ void check(std::string_view bytes) {
   const std::string text(bytes);
   read_or_refuse([&] {
     const RosController controller = chosen_controller(ros_controllers(text, "file"), "file");
-    Gains gains = joint_trajectory_gains(controller, "file", joints);
+    Gains gains = controller_gains(controller, "file", joints);
     require(with_gains(text, controller, "file", gains, joints) == text);
-    jtc_gain(gains, "p") << 0.1, 1e-300;
-    jtc_gain(gains, "d") << 1e22, 3.0;
+    const bool impedance = gains.controller == kJointImpedance;
+    (impedance ? own(gains, "joint_impedance_k") : jtc_gain(gains, "p")) << 0.1, 1e-300;
+    (impedance ? own(gains, "joint_impedance_d") : jtc_gain(gains, "d")) << 1e22, 3.0;
     const std::string changed = with_gains(text, controller, "file", gains, joints);
     require(without_numbers(changed) == without_numbers(text));
     const Gains back =
-        joint_trajectory_gains(chosen_controller(ros_controllers(changed, "file"), "file"), "file", joints);
+        controller_gains(chosen_controller(ros_controllers(changed, "file"), "file"), "file", joints);
     require(std::equal(back.own.begin(), back.own.end(), gains.own.begin(), gains.own.end()));
   });
 }

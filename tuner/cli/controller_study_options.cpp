@@ -13,9 +13,10 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
   CLI::Option* robot = command.add_option(
       "--robot", inputs.robot,
       "the arm: a URDF without xacro macros, a robot YAML, or a bundled robot such as ur5e");
-  CLI::Option* controllers =
-      command.add_option("--controllers", inputs.controllers,
-                         "your unchanged ROS parameter file with the joint_trajectory_controller to tune");
+  CLI::Option* controllers = command.add_option(
+      "--controllers", inputs.controllers,
+      "your unchanged ROS parameter file with the joint_trajectory_controller, or the joint "
+      "impedance controller of a Franka, to tune");
   CLI::Option* trajectory =
       command
           .add_option(

@@ -7,8 +7,8 @@
 
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
-#include "core/control/laws/joint_trajectory_law.hpp"
 #include "sim/controller_files/changed_gains.hpp"
+#include "sim/controller_files/controller_gains.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -37,11 +37,12 @@ struct Arguments {
 std::string changed_controllers(const Arguments& args, const GainsFile& gains) {
   const std::string text = read_input_file(args.into, yaml::kMaxBytes, "a ROS parameter file");
   const RosController controller = chosen_controller(ros_controllers(text, args.into), args.into, args.node);
-  if (!is_joint_trajectory_controller(gains.gains.controller)) {
+  if (!has_parameter_file(gains.gains.controller)) {
     throw InputError(
-        fmt::format("{}: the gains are for the controller '{}', but {} is a joint trajectory controller; "
-                    "give gains of a joint trajectory controller, or export without --into",
-                    args.what.set, gains.gains.controller, controller.name));
+        fmt::format("{}: the gains are for the controller '{}', but {} is a {}; give gains of that "
+                    "controller, or export without --into",
+                    args.what.set, gains.gains.controller, controller.name,
+                    controller_gains(controller, args.into, gains.joints).controller));
   }
   return with_gains(text, controller, args.into, gains.gains, gains.joints);
 }
@@ -91,8 +92,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   CLI::Option* into = command->add_option(
       "--into", args->into,
-      "ROS parameter file of a joint_trajectory_controller; the output is a copy of this file in which only "
-      "the gains are changed");
+      "ROS parameter file of the gains' controller; the output is a copy of this file in which only the gains "
+      "are changed");
   into->excludes("--format");
   command->add_option(
       "--node", args->node,

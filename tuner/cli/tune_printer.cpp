@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/common/input_file.hpp"
-#include "core/control/laws/joint_trajectory_law.hpp"
+#include "sim/controller_files/controller_gains.hpp"
 #include "sim/controller_files/ros_controllers.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/document.hpp"
@@ -72,7 +72,7 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
 
 /// Whether the start gains came from the robot's own ROS parameter file.
 bool is_ros_file(const Study& study) {
-  return is_joint_trajectory_controller(study.space.start.controller) && !study.gains.empty() &&
+  return has_parameter_file(study.space.start.controller) && !study.gains.empty() &&
          may_hold_controllers(read_input_file(study.gains, yaml::kMaxBytes, "a YAML file"));
 }
 
@@ -92,7 +92,8 @@ void TunePrinter::began(const Study& study, std::size_t recalled) {
   const long room = evaluations_to_search(study);
   if (swept > 0 && swept >= room) {
     say(fmt::format(
-        "the sweep's {} points use up the budget: {}; allow more evaluations, or give fewer sweep factors\n",
+        "the sweep's {} points take all evaluations of the budget: {}; allow more evaluations, or give fewer "
+        "sweep factors\n",
         swept,
         swept > room ? fmt::format("only {} of them are simulated", room)
                      : "no evaluation is left for the search"));

@@ -10,7 +10,7 @@
 #include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/controller_files/changed_gains.hpp"
-#include "sim/controller_files/joint_trajectory_file.hpp"
+#include "sim/controller_files/controller_gains.hpp"
 #include "sim/yaml/document.hpp"
 #include "sim/yaml/quoted.hpp"
 
@@ -68,13 +68,13 @@ ControllerInFile read_controller(const std::string& file, const std::string& nod
   read.text = read_input_file(file, yaml::kMaxBytes, "a ROS parameter file");
   read.controller = chosen_controller(ros_controllers(read.text, file), file, node);
   read.joints = joints;
-  read.gains = joint_trajectory_gains(read.controller, file, joints);
+  read.gains = controller_gains(read.controller, file, joints);
   validate(read.gains, joints, file);
   const auto fields = searched_fields(read.gains);
   if (std::all_of(fields.begin(), fields.end(),
                   [&read](const GainField* field) { return values_of(read.gains, *field).isZero(0.0); }))
-    throw InputError(
-        fmt::format("{}: every p, i and d of {} is 0; give start gains above 0", file, read.controller.name));
+    throw InputError(fmt::format("{}: every gain of {} that could be tuned is 0; give start gains above 0",
+                                 file, read.controller.name));
   require_room(read);
   return read;
 }
@@ -82,8 +82,6 @@ ControllerInFile read_controller(const std::string& file, const std::string& nod
 std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
                              std::vector<std::string>& undamped) {
   Gains gains = from.gains;
-  const JointVector& p = jtc_gain(gains, "p");
-  const JointVector& d = jtc_gain(gains, "d");
   // Drives have damping of their own.
   const bool needs_damping = gains.controller == kJointTrajectoryController;
   Gains first = gains;
@@ -99,7 +97,8 @@ std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm
       const auto i = static_cast<Eigen::Index>(k);
       if (values[i] != 0.0) {
         text += entry(field->name, from.joints[k]);
-      } else if (needs_damping && &values == &d && p[i] != 0.0 && has_room_for_damping(from, i)) {
+      } else if (needs_damping && &values == &jtc_gain(gains, "d") && jtc_gain(gains, "p")[i] != 0.0 &&
+                 has_room_for_damping(from, i)) {
         undamped.push_back(from.joints[k]);
         text += entry(
             field->name, from.joints[k],

@@ -16,6 +16,7 @@
 #include "core/common/file_name.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/input_file.hpp"
+#include "core/control/laws/joint_impedance_law.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "sim/cell/clearance_model.hpp"
 #include "sim/csv/text_file.hpp"
@@ -39,7 +40,7 @@ robot: {robot}
 planned: {{file: {motion}, segments: as_ros{units}}}
 duration: planned
 control_period: {period}   # s
-theta_start: {{model_scale: 1.0}}   # no effect: this controller uses no masses
+theta_start: {{model_scale: 1.0}}   # {masses}
 {cell}
 # Properties of the real arm that the controller lacks. Replace them by the values of your arm.
 plant:
@@ -52,7 +53,7 @@ constexpr const char* kStudy = R"(description: {description}
 gains: {gains}   # start gains; their objective is 1
 {node}scenarios: [{scenarios}]
 
-# Every p, i and d that is not 0 is tuned from a fifth to five times its value. To give other bounds, write
+# These gains are tuned from a fifth to five times their value in the file. To give other bounds, write
 # {{name: ..., lower: ..., upper: ...}}. A d of 0 starts without damping.
 parameters:
 {parameters}
@@ -179,15 +180,18 @@ void add_notes(const Move& move, const JointSpline& motion, std::vector<std::str
 }
 
 std::string scenario_yaml(const Move& move, const Arm& arm, const ControllerStudyInputs& inputs,
-                          const std::string& controller, double period) {
+                          const ControllerInFile& from, double period) {
   const bool degrees = inputs.degrees && !is_trajectory_message(move.file);
   return fmt::format(
       kScenario,
-      fmt::arg("description",
-               yaml::quoted(fmt::format("{} follows {} under {}", arm.model->name,
-                                        std::filesystem::path(move.file).filename().string(), controller))),
+      fmt::arg("description", yaml::quoted(fmt::format("{} follows {} under {}", arm.model->name,
+                                                       std::filesystem::path(move.file).filename().string(),
+                                                       from.controller.name))),
       fmt::arg("robot", yaml::quoted(arm.reference)),
       fmt::arg("motion", yaml::quoted(absolute_path(move.file))), fmt::arg("period", period),
+      fmt::arg("masses", from.gains.controller == kJointImpedance
+                             ? "the robot's own model of the arm, which gravity torques follow from"
+                             : "no effect: this controller uses no masses"),
       fmt::arg("units", degrees ? ", units: {angle: deg}" : ""),
       fmt::arg("cell",
                arm.touches_itself() && !arm.has_cell
@@ -254,8 +258,7 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
       {"study.yaml", study_yaml(moves, arm, inputs, controller, parameters)}};
   for (std::size_t k = 0; k < moves.size(); ++k) {
     add_notes(moves[k], motions[k], files.notes);
-    texts.emplace_back(moves[k].name + ".yaml",
-                       scenario_yaml(moves[k], arm, inputs, controller, 1.0 / *rate));
+    texts.emplace_back(moves[k].name + ".yaml", scenario_yaml(moves[k], arm, inputs, from, 1.0 / *rate));
   }
   if (!undamped.empty())
     files.notes.push_back(

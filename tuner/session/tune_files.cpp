@@ -9,8 +9,8 @@
 
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
-#include "core/control/laws/joint_trajectory_law.hpp"
 #include "sim/controller_files/changed_gains.hpp"
+#include "sim/controller_files/controller_gains.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/columns.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -122,7 +122,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 }
 
 std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder) {
-  if (study.gains.empty() || !is_joint_trajectory_controller(gains.controller)) return {};
+  if (study.gains.empty() || !has_parameter_file(gains.controller)) return {};
   const std::string text = read_input_file(study.gains, yaml::kMaxBytes, "a YAML file");
   if (!may_hold_controllers(text)) return {};
   const auto controllers = ros_controllers(text, study.gains);

@@ -86,7 +86,11 @@ std::vector<double> ParameterSpace::point_of(const Gains& gains) const {
 }
 
 void validate(const ParameterSpace& space, const std::string& where) {
-  if (space.free.empty()) throw InputError(where + ": no parameter to tune; list some under 'parameters'");
+  if (space.free.empty())
+    throw InputError(
+        where +
+        ": no parameter to tune; list some under 'parameters'. By default those are tuned that act in the scenarios, and " +
+        space.start.controller + " has none; take another controller");
   for (const Parameter& p : space.free) {
     const auto fail = [&](const std::string& what) {
       throw InputError(fmt::format("{}: parameter {}: {}", where, p.entry.name, what));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/control/laws/cartesian_impedance_law.hpp"
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
@@ -28,7 +29,7 @@ std::string rotors_text(const RobotModel& robot) {
     if (robot.chain.rotor_inertia[i] == 0.0)
       without.push_back(robot.joints[static_cast<std::size_t>(i)].name);
   }
-  if (without.empty()) return fmt::format("the rotor inertia that the file of {} gives", robot.name);
+  if (without.empty()) return fmt::format("the rotor inertia that {}'s robot file gives", robot.name);
   if (without.size() == static_cast<std::size_t>(robot.n())) {
     return fmt::format("{} has no rotor inertia, because its file gives none", robot.name);
   }
@@ -71,11 +72,12 @@ void add_engine_assumption(Engine engine, const std::string& which, SimulationVe
 
 void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
                                SimulationVerdict& verdict) {
-  if (gains.controller == kJointImpedance) {
-    const bool any_rate = own(gains, "joint_impedance_torque_rate")[0] == 0.0;
-    add_once(fmt::format("joint_impedance as docs/joint_impedance.md describes it: it runs at the scenarios' "
-                         "control period, and the torque that holds the arm follows from theta_start{}",
-                         any_rate ? "; the robot does not limit how fast torques change" : ""),
+  for (const std::string kind : {kJointImpedance, kCartesianImpedance}) {
+    if (gains.controller != kind) continue;
+    const bool any_rate = own(gains, kind + "_torque_rate")[0] == 0.0;
+    add_once(fmt::format("{0} as docs/{0}.md describes it: it runs at the scenarios' control period, and the "
+                         "torque that holds the arm follows from theta_start{1}",
+                         kind, any_rate ? "; the robot does not limit how fast torques change" : ""),
              verdict.assumes);
   }
   if (!is_joint_trajectory_controller(gains.controller)) return;
@@ -107,7 +109,7 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
     const RobotModel& robot = *scenario.robot;
     add_once(rotors_text(robot), verdict.assumes);
     for (const std::string& doubt : doubts(robot))
-      add_once(fmt::format("the file of {} is correct, although it looks wrong: {}", robot.name, doubt),
+      add_once(fmt::format("{}'s robot file is correct, although it looks wrong: {}", robot.name, doubt),
                verdict.assumes);
     if (scenario.clearance && !scenario.clearance->arm().unknown.empty())
       add_once(fmt::format("nothing touches {} of {}, because the shapes there are missing or unreadable",

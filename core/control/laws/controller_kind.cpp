@@ -11,6 +11,7 @@
 #include "armtune/error.hpp"
 #include "core/common/nearest.hpp"
 #include "core/control/laws/adaptive_law.hpp"
+#include "core/control/laws/cartesian_impedance_law.hpp"
 #include "core/control/laws/computed_torque_law.hpp"
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/impedance_law.hpp"
@@ -113,6 +114,7 @@ Registry& registry() {
     add(computed_torque_controller(), built_in);
     add(impedance_controller(), built_in);
     add(joint_impedance_controller(), built_in);
+    add(cartesian_impedance_controller(), built_in);
     add(joint_trajectory_controller(), built_in);
     add(joint_trajectory_velocity_controller(), built_in);
     return built_in;
@@ -149,7 +151,7 @@ GainField own_gain(GainShape shape, const char* name, const char* unit, const ch
   field.lower_factor = lower_factor;
   field.upper_factor = upper_factor;
   field.otherwise = otherwise;
-  field.in_loop = true;
+  field.loop = LoopGain::kFactor;
   return field;
 }
 
@@ -159,7 +161,12 @@ GainField positive(GainField gain) {
 }
 
 GainField not_in_loop(GainField gain) {
-  gain.in_loop = false;
+  gain.loop = LoopGain::kNone;
+  return gain;
+}
+
+GainField root_in_loop(GainField gain) {
+  gain.loop = LoopGain::kRoot;
   return gain;
 }
 
@@ -192,8 +199,9 @@ const std::vector<GainField>& fields_of(const Gains& gains) {
 
 void scale_loop_gains(Gains& gains, double factor) {
   for (const GainField& field : fields_of(gains)) {
-    if (!field.in_loop) continue;
-    for (double& number : numbers(gains, field)) number *= factor;
+    if (field.loop == LoopGain::kNone) continue;
+    const double own_factor = field.loop == LoopGain::kRoot ? std::sqrt(factor) : factor;
+    for (double& number : numbers(gains, field)) number *= own_factor;
   }
 }
 

@@ -41,6 +41,9 @@ GainField own_gain(GainShape shape, const char* name, const char* unit, const ch
 GainField positive(GainField gain);
 /// Returns the same gain, but it is not multiplied to find the gain margin: a length, an angle, a scale.
 GainField not_in_loop(GainField gain);
+/// Returns the same gain, but to find the gain margin it is multiplied by the root of the factor. This suits
+/// a damping ratio: the damping also grows with the root of the stiffness.
+GainField root_in_loop(GainField gain);
 /// Returns the same gain, but a search leaves it unchanged unless a study names it, and it is not multiplied
 /// to find the gain margin.
 GainField not_tuned(GainField gain);
@@ -61,7 +64,8 @@ std::vector<const ControllerKind*> controller_kinds();
 const std::vector<GainField>& fields_of(const ControllerKind& kind);
 const std::vector<GainField>& fields_of(const Gains& gains);
 
-/// Multiplies every gain that is a factor of the loop's gain (GainField::in_loop).
+/// Multiplies the gain of the control loop by a factor, by the gains that it depends on
+/// (GainField::loop).
 void scale_loop_gains(Gains& gains, double factor);
 
 /// Returns the values of the kind's own gain of that name: 1, 6 or n. Throws InputError if it has none.

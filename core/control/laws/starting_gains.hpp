@@ -1,6 +1,6 @@
 #pragma once
-// Computes start gains for an arm that has none, from its inertia, its limits and its size. They switch on
-// armtune's extensions of the published law. A tuning search starts from them.
+// Computes start gains for an arm that has none, from its inertia, its limits and its size. The gains switch
+// on armtune's extensions of the published law. A tuning search starts from them.
 
 #include "core/control/gains.hpp"
 #include "core/robot/robot_model.hpp"

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/first_gains.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/rollout.hpp"
@@ -85,6 +86,21 @@ TEST(ControllerStudy, EstimatesTheRotorsThatNobodyGives) {
   EXPECT_THAT(files.written, Contains("robot.yaml"));
   EXPECT_THAT(files.notes, Contains(HasSubstr("rotor inertia")));
   EXPECT_EQ(load_study(files.study).scenarios[0].robot->estimated_rotors.size(), 6U);
+}
+
+TEST(ControllerStudy, TunesStiffnessAndDampingOfAJointImpedanceController) {
+  const test::TemporaryFolder folder;
+  const std::string example = ARMTUNE_SOURCE_DIR "/examples/joint_impedance/";
+  const ControllerStudyFiles files = write_controller_study(
+      {"panda", example + "controllers.yaml", "", {example + "moves.csv"}}, folder / "made");
+  EXPECT_THAT(files.notes, IsEmpty());
+  const Study study = load_study(files.study);
+  EXPECT_EQ(study.scenarios.front().control_period, 0.001);
+  EXPECT_EQ(study.space.start.controller, "joint_impedance");
+  EXPECT_EQ(own(study.space.start, "joint_impedance_velocity_factor")[0], 0.0);
+  ASSERT_EQ(study.space.free.size(), 14U);
+  EXPECT_EQ(study.space.free.front().entry.name, "joint_impedance_k/panda_joint1");
+  EXPECT_EQ(study.space.free.front().upper, 3000.0);
 }
 
 TEST(ControllerStudy, SaysNothingOfAMotionWithVelocities) {

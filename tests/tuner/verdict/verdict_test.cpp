@@ -130,7 +130,7 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
     return to_text(verdict);
   };
   EXPECT_THAT(assumed(),
-              AllOf(HasSubstr("the rotor inertia that the file of ur10 gives"), Not(HasSubstr("stops"))));
+              AllOf(HasSubstr("the rotor inertia that ur10's robot file gives"), Not(HasSubstr("stops"))));
   RobotModel robot = *scenario.robot;
   robot.chain.rotor_inertia[5] = 0.0;
   scenario.robot = std::make_shared<const RobotModel>(robot);
@@ -318,6 +318,11 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   own(gains, "joint_impedance_torque_rate")[0] = 1000.0;
   add_controller_assumption(franka, gains, verdict);
   EXPECT_THAT(verdict.assumes, ElementsAre(testing::Not(HasSubstr("limit"))));
+  verdict.assumes.clear();
+  change_controller(gains, "cartesian_impedance", 7);
+  add_controller_assumption(franka, gains, verdict);
+  EXPECT_THAT(verdict.assumes, ElementsAre(AllOf(HasSubstr("docs/cartesian_impedance.md"),
+                                                 HasSubstr("does not limit how fast torques change"))));
 }
 
 }  // namespace

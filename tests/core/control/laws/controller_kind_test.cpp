@@ -42,14 +42,15 @@ ControllerKind named(const char* name) {
   return kind;
 }
 
-TEST(ControllerKind, OfArmtuneAreSeven) {
+TEST(ControllerKind, OfArmtuneAreEight) {
   std::vector<std::string> names;
   for (const ControllerKind* kind : controller_kinds()) names.push_back(kind->name);
-  ASSERT_GE(names.size(), 7U);
-  names.resize(7);
+  ASSERT_GE(names.size(), 8U);
+  names.resize(8);
   EXPECT_THAT(names,
               testing::ElementsAre("adaptive", "joint_pd", "computed_torque", "impedance", "joint_impedance",
-                                   "joint_trajectory_controller", "joint_trajectory_controller_velocity"));
+                                   "cartesian_impedance", "joint_trajectory_controller",
+                                   "joint_trajectory_controller_velocity"));
 }
 
 TEST(ControllerKind, AdaptiveHasEveryMemberOfGainsInTheirOrder) {

@@ -18,12 +18,13 @@ namespace {
 
 using test::Period;
 
-constexpr double kFactor = 0.7, kFilter = 0.3;
+constexpr double kFactor = 0.7, kFilter = 0.3, kVelocity = 0.8;
 
 /// A period of the law with these numbers for its options. The gains outlive the law.
 void set_options(Period& p, double torque_rate) {
   own(p.gains, "joint_impedance_coriolis_factor")[0] = kFactor;
   own(p.gains, "joint_impedance_filter")[0] = kFilter;
+  own(p.gains, "joint_impedance_velocity_factor")[0] = kVelocity;
   own(p.gains, "joint_impedance_torque_rate")[0] = torque_rate;
   p.law = controller_kind("joint_impedance")
               .make({p.model, p.gains, theta_of(p.model.chain), Period::period, p.mask});
@@ -56,7 +57,7 @@ TEST(JointImpedanceLaw, IsASpringAndADamperOfEachJointOnTopOfTheWeight) {
       for (int i = 0; i < model.n(); ++i) {
         EXPECT_NEAR(tau[i],
                     weight[i] + kFactor * turning[i] + k[i] * (reference[i] - p.measured.q[i]) +
-                        d[i] * (p.control.reference.velocity[i] - velocity[i]),
+                        d[i] * (kVelocity * p.control.reference.velocity[i] - velocity[i]),
                     1e-9 * (1.0 + tau.cwiseAbs().maxCoeff()))
             << p.where() << ", joint " << i << ", period " << period;
       }

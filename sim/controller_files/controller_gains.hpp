@@ -1,0 +1,26 @@
+#pragma once
+// Reads the gains of a controller from its ROS parameter file, whichever of the supported controllers it is.
+
+#include <string>
+#include <vector>
+
+#include "core/control/gains.hpp"
+#include "sim/controller_files/placed_gain.hpp"
+#include "sim/controller_files/ros_controllers.hpp"
+
+namespace armtune::internal {
+
+/// True if ROS parameter files can hold gains of this kind of controller.
+bool has_parameter_file(const std::string& kind);
+
+/// Returns the gains for an arm with these joints, in their order (joint_trajectory_file.hpp,
+/// joint_impedance_file.hpp). Throws InputError "FILE:LINE: what".
+Gains controller_gains(const RosController& controller, const std::string& file,
+                       const std::vector<std::string>& joints);
+
+/// Returns every number of the file that is a gain, with its value in `gains`, which are of the file's kind.
+/// The order depends on the file alone.
+std::vector<PlacedGain> placed_gains(const RosController& controller, const std::string& file,
+                                     const Gains& gains, const std::vector<std::string>& joints);
+
+}  // namespace armtune::internal

@@ -1,0 +1,110 @@
+#include "sim/controller_files/joint_impedance_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_impedance_law.hpp"
+#include "sim/controller_files/parameter_reader.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using yaml::PlacedValue;
+
+constexpr double kFilter = 0.01;        // share of the last velocity in the next, in all of them
+constexpr double kTorqueRate = 1000.0;  // N m/s: 1 N m in each period of 1 ms
+constexpr const char* kCoriolisFactor = "coriolis_factor";
+
+/// The two lists, with armtune's names of their gains.
+constexpr std::pair<const char*, const char*> kLists[] = {{"k_gains", "joint_impedance_k"},
+                                                          {"d_gains", "joint_impedance_d"}};
+
+/// What the controllers do beside spring and damper.
+struct Options {
+  double velocity_factor = 0.0;
+  double coriolis_factor = 0.0;
+  double torque_rate = 0.0;
+};
+
+/// The options of the controller's type.
+Options options_of(const ParameterReader& reader) {
+  const RosController& controller = reader.controller();
+  const std::string name = controller.type.substr(controller.type.find_last_of('/') + 1);
+  if (!controller.ros2 && name == "JointImpedanceExampleController") {
+    const PlacedValue* factor = controller.parameters->find(kCoriolisFactor);
+    return {1.0, factor == nullptr ? 1.0 : reader.finite(*factor, kCoriolisFactor), kTorqueRate};
+  }
+  if (controller.ros2 && name == "JointImpedanceExampleController") return {};
+  if (controller.ros2 && name == "JointImpedanceWithIKExampleController") return {0.0, 1.0, 0.0};
+  const std::string what =
+      controller.type.empty()
+          ? "the file does not give the type of this controller"
+          : fmt::format("armtune does not know what {} does with k_gains and d_gains", controller.type);
+  reader.fail(controller.parameters->line,
+              what +
+                  "; the types that armtune simulates are franka_example_controllers/"
+                  "JointImpedanceExampleController and, in ROS 2, JointImpedanceWithIKExampleController");
+}
+
+/// Lists without names are in the arm's order; names must be the arm's. Those with $(arg ...) are not known.
+void require_joints(const ParameterReader& reader, const std::vector<std::string>& joints) {
+  const PlacedValue* names = reader.controller().parameters->find("joint_names");
+  if (names == nullptr) return;
+  std::vector<std::string> found;
+  for (const yaml::PlacedEntry& item : names->items) found.push_back(item.value->text);
+  const bool open = std::any_of(found.begin(), found.end(),
+                                [](const std::string& name) { return name.find("$(") != std::string::npos; });
+  if (!open && found != joints)
+    reader.fail(names->line, fmt::format("joint_names are {}, but the arm's joints are {}, in this order",
+                                         fmt::join(found, ", "), fmt::join(joints, ", ")));
+}
+
+}  // namespace
+
+Gains joint_impedance_gains(const RosController& controller, const std::string& file,
+                            const std::vector<std::string>& joints) {
+  const ParameterReader reader(controller, file);
+  const Options options = options_of(reader);
+  require_joints(reader, joints);
+  const auto n = static_cast<Eigen::Index>(joints.size());
+  Gains gains;
+  change_controller(gains, kJointImpedance, static_cast<int>(n));
+  gains.joint_space_gains_p = gains.joint_space_gains_d = JointVector::Zero(n);
+  gains.force_control_gains = JointVector::Zero(n);
+  for (const auto& [key, gain] : kLists) {
+    const PlacedValue& list = *controller.parameters->find(key);
+    if (list.items.size() != joints.size())
+      reader.fail(list.line, fmt::format("{} has {} numbers, but the arm has {} joints", key,
+                                         list.items.size(), joints.size()));
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      own(gains, gain)[static_cast<Eigen::Index>(k)] =
+          reader.finite(*list.items[k].value, fmt::format("{}[{}]", key, k));
+  }
+  own(gains, "joint_impedance_velocity_factor")[0] = options.velocity_factor;
+  own(gains, "joint_impedance_coriolis_factor")[0] = options.coriolis_factor;
+  own(gains, "joint_impedance_filter")[0] = kFilter;
+  own(gains, "joint_impedance_torque_rate")[0] = options.torque_rate;
+  return gains;
+}
+
+std::vector<PlacedGain> placed_impedance_gains(const RosController& controller, const Gains& gains,
+                                               const std::vector<std::string>& joints) {
+  std::vector<PlacedGain> placed;
+  for (const auto& [key, gain] : kLists) {
+    const PlacedValue& list = *controller.parameters->find(key);
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      placed.push_back({list.items[k].value.get(), fmt::format("{} of {}", key, joints[k]),
+                        own(gains, gain)[static_cast<Eigen::Index>(k)]});
+  }
+  if (!controller.ros2)
+    placed.push_back({controller.parameters->find(kCoriolisFactor), kCoriolisFactor,
+                      own(gains, "joint_impedance_coriolis_factor")[0]});
+  return placed;
+}
+
+}  // namespace armtune::internal

@@ -1,0 +1,29 @@
+#pragma once
+// Reads the gains of a joint impedance controller from its ROS parameter file, as the example controllers for
+// Franka's arms have them: the lists k_gains and d_gains.
+
+#include <string>
+#include <vector>
+
+#include "core/control/gains.hpp"
+#include "sim/controller_files/placed_gain.hpp"
+#include "sim/controller_files/ros_controllers.hpp"
+
+namespace armtune::internal {
+
+/// Returns the gains for an arm with these joints, in their order. The controller's type decides what else
+/// the law does (franka_ros c11f000, franka_ros2 40cf08b):
+///   - JointImpedanceExampleController in ROS 1: damps the velocity error, adds coriolis_factor times the
+///     Coriolis torques, and limits the rate of the torques to 1000 N m/s;
+///   - JointImpedanceExampleController in ROS 2: damps the velocity itself;
+///   - JointImpedanceWithIKExampleController in ROS 2: as before, and adds the Coriolis torques.
+/// Throws InputError "FILE:LINE: what" for another type, lists of another length than the arm's joints, other
+/// joint names than the arm's, and values that are not numbers.
+Gains joint_impedance_gains(const RosController& controller, const std::string& file,
+                            const std::vector<std::string>& joints);
+
+/// Returns the numbers of k_gains, d_gains and coriolis_factor in the file, with their values in `gains`.
+std::vector<PlacedGain> placed_impedance_gains(const RosController& controller, const Gains& gains,
+                                               const std::vector<std::string>& joints);
+
+}  // namespace armtune::internal
