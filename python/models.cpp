@@ -42,7 +42,7 @@ void bind_plan(py::module_& module) {
       .def_readonly("velocity", &Plan::velocity, "N lists of n velocities [rad/s, m/s].")
       .def_readonly("effort", &Plan::effort, "N lists of n efforts [N m, N].")
       .def_readonly("limits", &Plan::limits,
-                    "Use of every limit; the limits that restrict the motion come first.")
+                    "Share of each limit that the motion uses; limits that restrict the motion come first.")
       .def_readonly("files", &Plan::files, "Names of the files in the run folder.");
   module.def(
       "plan",

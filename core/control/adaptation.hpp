@@ -10,8 +10,8 @@
 //   - Y is computed from the filtered motion (adaptation_filter.hpp), which has hardly any noise.
 //   - Leakage moves theta towards its start values, faster for inertias than for the other parameters. Noise
 //     mainly increases the estimates of inertias, and an overestimated inertia of a light wrist makes the
-//     loop oscillate. Masses and first moments are excited by gravity at all times. They can therefore leak
-//     slowly, so that theta keeps what was learnt about a payload.
+//     loop oscillate. Masses and first moments need only slow leakage, because gravity excites them at all
+//     times and wrong estimates are corrected. So theta keeps what was learnt about a payload.
 //   - Projection moves theta to physically valid parameters. It bounds theta from one side only: the cone of
 //     physical parameters has no upper bound.
 

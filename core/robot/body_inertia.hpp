@@ -3,7 +3,7 @@
 // have. Both functions serve to check the inertias that a URDF gives for its links.
 //
 // The inertia I of a body about its centre of mass is related to the second moments S of its mass:
-//   S = integral of r r^T dm = tr(I)/2 1 - I.
+//   S = integral of r r^T dm = (tr(I) / 2) E - I,   E: the 3 x 3 identity matrix.
 // A rigid body with the inertia I exists if and only if S has no negative eigenvalue. For the principal
 // moments of I this means that none is negative, and that none is larger than the sum of the other two. See
 // Wensing, Kim and Slotine, Linear matrix inequalities for physically consistent inertial parameter

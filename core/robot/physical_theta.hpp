@@ -2,11 +2,11 @@
 // Moves parameters theta (theta.hpp) to the nearest ones that are physically possible. The adaptive control
 // law can use this to keep its estimate of theta possible. The condition is that the pseudo-inertia P of
 // every link is positive semi-definite,
-//   P = [Sigma h; h^T m],   Sigma = tr(I)/2 1 - I,   h = m c,
-// with the link's mass m, centre of mass c, and inertia I about the origin of its frame. A distribution of
-// mass with these ten parameters exists if and only if the condition holds (Wensing, Kim and Slotine, Linear
-// matrix inequalities for physically consistent inertial parameter identification, 2018). Rotor inertia and
-// friction must not be negative.
+//   P = [Sigma h; h^T m],   Sigma = (tr(I) / 2) E - I,   h = m c,
+// with the identity matrix E (3 x 3), the link's mass m, centre of mass c, and inertia I about the origin of
+// its frame. A distribution of mass with these ten parameters exists if and only if the condition holds
+// (Wensing, Kim and Slotine, Linear matrix inequalities for physically consistent inertial parameter
+// identification, 2018). Rotor inertia and friction must not be negative.
 
 #include "core/robot/theta.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Checks the text of a URDF before the XML parser reads it, because some texts would crash the program. The
-// parser tinyxml calls itself once per nesting level. urdfdom passes text that is not a number to printf as
-// the format.
+// parser tinyxml calls itself once per nesting level. Where urdfdom expects a number and finds other text, it
+// gives this text to printf as the format string.
 
 #include <string>
 

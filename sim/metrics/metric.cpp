@@ -55,7 +55,7 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
        "largest difference between the angular velocities of the tool's z axis and of the line to the "
        "target, once the arm has left its singular start pose"},
       {"gaze/time_outside_threshold", "s", kLess, kOnlyWorsens, "time with the gaze off its target",
-       "total time for which the gaze angle is at or above the gain slerpAngularErrorThreshold"},
+       "total time for which the gaze angle is at least the threshold slerpAngularErrorThreshold"},
       {"reacquisition/time", "s", kLess, kEitherWay, "time to the next target",
        "longest time from a target switch until the gaze angle stays below the gain "
        "slerpAngularErrorThreshold; if it never does, the time until the next switch or the end"},

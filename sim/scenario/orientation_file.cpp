@@ -71,11 +71,11 @@ void check_along(const yaml::Node& node, const Path& path, const ToolOrientation
                       time));
     }
     if (!(now.cross(approach).norm() > kLeastSine * approach.norm())) {
-      node.fail(
-          fmt::format("the path runs along [{:.4g}, {:.4g}, {:.4g}] at {:.4g} s. The tool's z axis is "
-                      "perpendicular to the path, so it cannot be near this direction there; give another "
-                      "direction",
-                      approach.x(), approach.y(), approach.z(), time));
+      node.fail(fmt::format(
+          "at {3:.4g} s the path runs along the wanted direction [{0:.4g}, {1:.4g}, {2:.4g}]. The "
+          "tool's z axis is always perpendicular to the path, so it cannot point there; give "
+          "another direction",
+          approach.x(), approach.y(), approach.z(), time));
     }
     const double rate = along.at(time, path).angular_velocity.norm();
     if (!(rate <= kFastest)) {

@@ -60,8 +60,8 @@ std::span<const PerturbationField> perturbation_fields() {
   using P = Perturbation;
   constexpr double kAny = 1e6;
   static constexpr PerturbationField fields[] = {
-      {"mass", "1", "+- relative change of each link's mass, first moment and inertia together", &P::mass,
-       1.0, false},
+      {"mass", "1", "+- relative change of each link's mass, first moment and inertia, by one common factor",
+       &P::mass, 1.0, false},
       {"center", "m", "+- change of each coordinate of each link's centre of mass", &P::center, kAny, true},
       {"inertia", "1", "+- relative change of each link's inertia about its centre of mass", &P::inertia, 1.0,
        false},

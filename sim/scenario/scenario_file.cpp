@@ -70,7 +70,7 @@ ThetaStart read_theta_start(const yaml::Node& node) {
   ThetaStart start;
   const bool has_file = map.has("file");
   if (has_file == map.has("model_scale")) {
-    node.fail("give one of: model_scale (0: theta starts at zero, 1: at the robot's model), file");
+    node.fail("give either file or model_scale (0: theta starts at zero, 1: at the robot's model)");
   }
   if (has_file) {
     start.file = path_in(map.required("file"));

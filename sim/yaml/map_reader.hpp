@@ -1,5 +1,5 @@
 #pragma once
-// Reads a YAML map key by key and reports keys that no code has read as unknown. A misspelt key in a user's
+// Reads a YAML map key by key. A key that no code has read is reported as unknown. A misspelt key in a user's
 // file is therefore an error and is never ignored silently.
 
 #include <initializer_list>

@@ -272,11 +272,13 @@ TEST(TuneCommand, SaysThatTheSweepUsesUpTheBudget) {
                          "sweep: [{parameters: [task_space_gains_p/rx], factors: [0.8, 0.9, 1.1]}]\n"
                          "search: {max_evaluations: 3, max_minutes: 5}\n");
   const Finished cut = run_program({"tune", files.path(), "--out", files / "cut", "--no-analysis"});
-  EXPECT_THAT(cut.out, testing::AllOf(HasSubstr("3 evaluations or 5 minutes, 2 rollouts per evaluation"),
-                                      HasSubstr("the sweep's 3 points use up the budget: only 2 of them")));
+  EXPECT_THAT(
+      cut.out,
+      testing::AllOf(HasSubstr("3 evaluations or 5 minutes, 2 rollouts per evaluation"),
+                     HasSubstr("the sweep's 3 points take all evaluations of the budget: only 2 of them")));
   const Finished whole = run_program(
       {"tune", files.path(), "--max-evaluations", "4", "--out", files / "whole", "--no-analysis"});
-  EXPECT_THAT(whole.out, HasSubstr("use up the budget: no evaluation is left"));
+  EXPECT_THAT(whole.out, HasSubstr("take all evaluations of the budget: no evaluation is left"));
   const Finished enough = run_program(
       {"tune", files.path(), "--max-evaluations", "5", "--out", files / "enough", "--no-analysis"});
   EXPECT_THAT(enough.out, testing::Not(HasSubstr("use up")));

@@ -41,7 +41,8 @@ std::string differences(const RunHeader& was, const RunHeader& is,
   const auto tell = [&](const std::string& name, const std::string& before, const std::string& now) {
     if (++told > kMostTold) return;
     if (name == RunHeader::kProgram) {
-      text += fmt::format("{}the program is not the build that started the run", text.empty() ? "" : "; ");
+      text += fmt::format("{}this program is another build than the one that started the run",
+                          text.empty() ? "" : "; ");
       return;
     }
     const auto [line_before, line_now] = first_difference(before, now);

@@ -1,5 +1,5 @@
 #pragma once
-// Limits of metrics. Checks on random arms and checks of stability margins test whether gains keep them.
+// Limits of metrics. The checks with random arms and of stability margins use them to judge gains.
 
 #include <string>
 #include <vector>

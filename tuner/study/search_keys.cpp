@@ -56,7 +56,7 @@ void read_engine(yaml::MapReader& map, Study& study) {
   }
   if (study.engine == Engine::kNative && study.stepper == Stepper::kReference) {
     map.required("stepper").fail(
-        "'reference' exists in Simbody only; give another stepper, or engine: simbody");
+        "the stepper 'reference' exists in Simbody only; give another stepper, or set engine: simbody");
   }
 }
 

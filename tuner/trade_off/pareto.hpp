@@ -3,9 +3,9 @@
 //
 // The method is the epsilon-constraint method (Haimes, Lasdon, Wismer, 1971). A level is a set of upper
 // limits on all criteria except the first (level_grid.hpp). For each level, a search minimises the first
-// criterion under these limits. It starts from the best point known for the level, which mostly was found for
-// a neighbouring level. All levels are searched once in order, and once in reverse order. The front contains
-// all feasible evaluations of the run that no other one dominates (front.hpp).
+// criterion under these limits. It starts from the best known point that satisfies them, which usually comes
+// from a neighbouring level. All levels are searched once in order, and once in reverse order. The front
+// contains all feasible evaluations of the run that no other one dominates (front.hpp).
 
 #include <atomic>
 #include <exception>

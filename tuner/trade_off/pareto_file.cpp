@@ -36,7 +36,7 @@ std::vector<Column> pareto_columns(const Study& study, const ParetoOptions& opti
   for (const Criterion& c : options.criteria) {
     add(c.name(), c.unit(),
         c.metric ? fmt::format("{}; worst value of all scenarios", field(*c.metric).meaning)
-                 : "weighted metrics relative to the start gains, whose objective is 1");
+                 : "weighted metrics, each divided by its value with the start gains; 1 for the start gains");
   }
   if (!has_objective(options)) add("objective", "1", "weighted metrics relative to the start gains");
   for (const Parameter& p : study.space.free) add(p.entry.name, p.entry.field->unit, p.entry.field->meaning);

@@ -169,8 +169,9 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
   if (compared) {
     verdict.checks.push_back(std::move(growth));
   } else {
-    add_once(named("error growth (no scenario completed with errors in its first and its last minutes)", set),
-             verdict.not_checked);
+    add_once(
+        named("error growth (no completed scenario has errors in both its first and its last minutes)", set),
+        verdict.not_checked);
   }
 }
 

@@ -75,8 +75,8 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
 std::string spread_text(const std::string& whose, const Perturbation& perturbation) {
   return fmt::format("the arm differs from its model by no more than {} random changes ({})", whose,
                      perturbation.payload > 0.0
-                         ? fmt::format("payloads up to {:.3g} kg", perturbation.payload)
-                         : std::string("each with the scenario's payload"));
+                         ? fmt::format("with payloads up to {:.3g} kg", perturbation.payload)
+                         : std::string("with the scenario's payload"));
 }
 
 SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
@@ -85,8 +85,8 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
   SimulationVerdict verdict;
   verdict.checks.push_back(yield_check(scenarios, samples, VerdictThresholds().yield));
   verdict.not_checked = {"the scenario's own arm, without random changes (armtune simulate)",
-                         fmt::format("effort limits, except for torque that saturates in over {:.0f} % of "
-                                     "the control periods",
+                         fmt::format("effort limits (only torque that saturates in over {:.0f} % of the "
+                                     "control periods fails a sample)",
                                      100.0 * kSaturatedShare),
                          "what happens after the scenarios end (armtune simulate --endurance)",
                          "stability margins (armtune margins)"};

@@ -114,7 +114,7 @@ TEST_F(OrientationFile, WhatCannotBeIsRefusedWithLineAndAdvice) {
               HasSubstr("does not move"));
   EXPECT_THAT(refused(kCircle + "orientation: {along_path: [0, 0, 0]}\n"), HasSubstr("direction"));
   EXPECT_THAT(refused(kCircle + "orientation: {along_path: [0, 1, 0]}\n"),
-              AllOf(HasSubstr("runs along [0, 1, 0] at"), HasSubstr("another direction")));
+              AllOf(HasSubstr("along the wanted direction [0, 1, 0]"), HasSubstr("another direction")));
   EXPECT_THAT(refused("path: {center: [-0.6, 0, 0.5], frequency: 1, terms: [{order: 1, sin: [0.1, 0, 0]}]}\n"
                       "orientation: {along_path: [0, 0, -1]}\n"),
               AllOf(HasSubstr("reverses at 1.57"), HasSubstr("waypoints")));

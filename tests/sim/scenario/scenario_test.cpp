@@ -347,7 +347,7 @@ TEST_F(ScenarioFile, MistakesAreRefusedWithTheirLine) {
   EXPECT_THAT(refused("switch_every: -8\n"), AllOf(HasSubstr("own.yaml:2:"), HasSubstr("switch_every")));
   EXPECT_THAT(refused("seed: -8\n"), AllOf(HasSubstr("own.yaml:2:"), HasSubstr("seed")));
   EXPECT_THAT(refused("theta_start: {}\n"), AllOf(HasSubstr("own.yaml:2:"), HasSubstr("model_scale")));
-  EXPECT_THAT(refused("theta_start: {model_scale: 1, file: a.yaml}\n"), HasSubstr("give one of"));
+  EXPECT_THAT(refused("theta_start: {model_scale: 1, file: a.yaml}\n"), HasSubstr("give either file or"));
   EXPECT_THAT(refused("plant: {position_noise: -1}\n"),
               AllOf(HasSubstr("own.yaml:2:"), HasSubstr("position_noise")));
   EXPECT_THAT(refused("plant: {torque_delay_periods: 1.5}\n"), HasSubstr("torque_delay_periods"));

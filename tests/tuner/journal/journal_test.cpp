@@ -159,9 +159,10 @@ TEST(RunHeader, AnotherBuildIsCalledThatAndNotByItsHash) {
   RunHeader is = was;
   EXPECT_EQ(differences(was, is), "");
   is.identity[0].second = "fnv1a-2";
-  EXPECT_EQ(differences(was, is), "the program is not the build that started the run");
+  EXPECT_EQ(differences(was, is), "this program is another build than the one that started the run");
   is.identity[1].second = "8";
-  EXPECT_EQ(differences(was, is), "the program is not the build that started the run; seed was '7', is '8'");
+  EXPECT_EQ(differences(was, is),
+            "this program is another build than the one that started the run; seed was '7', is '8'");
 }
 
 TEST(RunHeader, ARunIsItselfHoweverOftenANameStandsInIt) {

@@ -243,7 +243,7 @@ TEST(PlanFacts, HeadlineTellsTimeFromErrorAndEntriesNameWhatWasMeasured) {
   slow.duration = 2.0;
   const Solved move(slow, 20);
   EXPECT_EQ(plan_headline(move.task, move.problem, move.planned),
-            "the smoothest motion found over 2 s within the limits");
+            "the smoothest motion of 2 s found within the limits");
   std::set<std::string> keys;
   for (const auto& entry :
        plan_entries(a_switch().task, a_switch().problem, a_switch().planned, a_switch().uses))

@@ -48,11 +48,11 @@ std::string plan_headline(const PlanTask& task, const PlanProblem& problem,
   if (task.kind == PlanKind::kTrack || task.least_error) {
     const ToolErrors errors = errors_of(task, problem, planned.trajectory);
     return fmt::format(
-        "the least error found over {:.4g} s within the limits: tool at most {:.3g} mm off its path, gaze "
-        "{:.3g} mrad rms off its target",
+        "for a motion of {:.4g} s, the least error found within the limits: tool at most {:.3g} mm off its "
+        "path, gaze {:.3g} mrad rms off its target",
         duration, 1e3 * errors.path, 1e3 * errors.gaze);
   }
-  return fmt::format("the smoothest motion found over {:.4g} s within the limits", duration);
+  return fmt::format("the smoothest motion of {:.4g} s found within the limits", duration);
 }
 
 std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& problem,

@@ -1,6 +1,6 @@
 #pragma once
 // Evaluates a planned motion at one time: the arm's joints and torques, its tool, its gaze and its distances
-// from obstacles. The time is that of a knot, or lies between two knots, where the motion is an exact cubic.
+// from obstacles. The time need not be a knot: between knots the motion is an exact cubic.
 
 #include <optional>
 

@@ -49,7 +49,8 @@ std::vector<Column> yardstick_columns() {
        {}},
       {"held_back_by",
        "",
-       "limit that costs the plan most, or that makes the plan infeasible; empty if there is none",
+       "limit whose relaxation would improve the plan most, or that makes the plan infeasible; empty if "
+       "there is none",
        {}},
       {"clearance",
        "m",
@@ -58,9 +59,9 @@ std::vector<Column> yardstick_columns() {
        {}},
       {"status",
        "",
-       "status of the limit: solved; solved without obstacles (no plan was found that stays clear of them); "
-       "past the next switch (no motion was found that gets there before it); there at once (gaze on target, "
-       "or tool on the path, at the start); infeasible; not solved",
+       "status of the plan that gives the limit: solved; solved without obstacles (no plan was found that "
+       "stays clear of them); past the next switch (no motion was found that reaches the target before "
+       "that switch); there at once (at the start, gaze on target or tool on the path); infeasible; not solved",
        {}}};
 }
 
