@@ -123,6 +123,7 @@ std::vector<RosController> ros_controllers(const std::string& text, const std::s
 RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,
                                 const std::string& name) {
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const RosController& controller : all) names.push_back(controller.name);
   const auto those = [&all](const std::function<bool(const RosController&)>& fits) {
     std::vector<const RosController*> able;

@@ -36,7 +36,8 @@ RunInputs inputs_of_run(const std::string& run) {
 
 std::string changed_input(const RunInputs& inputs, const std::vector<std::string>& files) {
   for (const std::string& file : files) {
-    const std::string shown = shown_path(file), path = absolute_path(file);
+    std::string shown = shown_path(file);
+    const std::string path = absolute_path(file);
     bool changed = false, same = false;
     for (const auto& [then, hash] : inputs) {
       if (then != shown && !may_mean(then, path)) continue;

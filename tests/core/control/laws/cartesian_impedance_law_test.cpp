@@ -33,7 +33,7 @@ void set_options(Period& p, double nullspace_k, double filter, double torque_rat
 /// The inverse of J^T with singular values s / (s^2 + 0.2^2), as in the source.
 Eigen::MatrixXd damped_inverse(const Eigen::MatrixXd& Jt) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Jt, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd s = svd.singularValues();
+  const Eigen::VectorXd& s = svd.singularValues();
   const Eigen::VectorXd inverse = s.array() / (s.array().square() + 0.04);
   return svd.matrixV() * inverse.asDiagonal() * svd.matrixU().transpose();
 }
