@@ -89,8 +89,8 @@ void validate(const ParameterSpace& space, const std::string& where) {
   if (space.free.empty())
     throw InputError(
         where +
-        ": no parameter to tune; list some under 'parameters'. By default those are tuned that act in the scenarios, and " +
-        space.start.controller + " has none; take another controller");
+        ": no parameter to tune; list some under 'parameters'. If the study has no such list, no gain of " +
+        space.start.controller + " acts in its scenarios: take another controller");
   for (const Parameter& p : space.free) {
     const auto fail = [&](const std::string& what) {
       throw InputError(fmt::format("{}: parameter {}: {}", where, p.entry.name, what));
