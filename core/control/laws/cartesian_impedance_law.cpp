@@ -13,7 +13,7 @@ namespace {
 
 /// Of the pseudo-inverse in the null space, the square of 0.2 in the source.
 constexpr double kNullSpaceDamping = 0.04;
-/// Nothing integrates, so stiffness alone holds the arm against errors of the model.
+/// Nothing integrates, so stiffness alone resists errors of the model.
 constexpr double kFirstStiffRate = 40.0;  // 1/s
 
 class CartesianImpedanceLaw final : public TorqueLaw {
