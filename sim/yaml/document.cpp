@@ -32,8 +32,12 @@ constexpr std::string_view kCoreTags = "tag:yaml.org,2002:";
 class TreeBuilder final : public YAML::EventHandler {
  public:
   /// `text` outlives the builder; it is what yaml-cpp's marks point into.
-  TreeBuilder(std::string_view text, std::shared_ptr<const std::string> file, std::size_t max_items)
-      : text_(text), file_(std::move(file)), max_items_(max_items) {}
+  /// `scale` multiplies the limits of the number of values and of the paths' total length.
+  TreeBuilder(std::string_view text, std::shared_ptr<const std::string> file, std::size_t scale)
+      : text_(text),
+        file_(std::move(file)),
+        max_items_(kMaxItems * scale),
+        max_all_path_bytes_(kMaxAllPathBytes * scale) {}
 
   std::optional<Node> take_root() { return std::move(root_); }
 
@@ -158,10 +162,10 @@ class TreeBuilder final : public YAML::EventHandler {
                           kMaxPathBytes));
     }
     path_bytes_ += node.key_path_.size();
-    if (path_bytes_ > kMaxAllPathBytes) {
+    if (path_bytes_ > max_all_path_bytes_) {
       fail_at(*file_, node.line_, {},
               fmt::format("the keys down to all values are together longer than {} MB; use shorter keys",
-                          kMaxAllPathBytes >> 20));
+                          max_all_path_bytes_ >> 20));
     }
   }
 
@@ -268,6 +272,7 @@ class TreeBuilder final : public YAML::EventHandler {
   /// bracket that is never closed looks like one until then, and deserves its own message.
   std::optional<std::pair<int, std::string>> container_key_;
   std::size_t max_items_;
+  std::size_t max_all_path_bytes_;
   std::size_t item_count_ = 0;
   std::size_t path_bytes_ = 0;
   int documents_ = 0;
@@ -280,8 +285,8 @@ Node parse_text(const std::string& text, const std::string& file_name, std::size
   std::string body = text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
   // yaml-cpp reads the version with the global locale, and refuses 1.2 where the decimal point is a comma.
   if (body.starts_with("%YAML 1.")) body[0] = '#';
-  const std::size_t max_items = kMaxItems * std::max<std::size_t>(1, max_bytes / kMaxBytes);
-  TreeBuilder builder(body, std::make_shared<const std::string>(file_name), max_items);
+  const std::size_t scale = std::max<std::size_t>(1, max_bytes / kMaxBytes);
+  TreeBuilder builder(body, std::make_shared<const std::string>(file_name), scale);
   try {
     std::istringstream stream(body);
     YAML::Parser parser(stream);

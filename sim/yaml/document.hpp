@@ -19,8 +19,9 @@ inline constexpr std::size_t kMaxKeys = 100'000;    ///< most keys of one map
 inline constexpr std::size_t kMaxDepth = 64;        ///< deepest nesting of lists and maps
 inline constexpr std::size_t kMaxKeyBytes = 4096;   ///< longest key [byte]; run.yaml has paths as keys
 inline constexpr std::size_t kMaxPathBytes = 8192;  ///< longest key path [byte]
-inline constexpr std::size_t kMaxAllPathBytes =
-    32 * 1024 * 1024;  ///< largest total length of all key paths [byte]; every value stores its own
+/// Largest total length of all key paths [byte], for a limit of kMaxBytes; grows with a higher limit. Every
+/// value stores its own path.
+inline constexpr std::size_t kMaxAllPathBytes = 32 * 1024 * 1024;
 
 /// A value of a document: empty, a scalar, a list or a map, with its place in the file. It is immutable.
 ///

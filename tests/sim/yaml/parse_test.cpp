@@ -173,6 +173,17 @@ TEST(ParseLimits, RefusesLongPathsToManyValues) {
                        "together longer than 32 MB"));
 }
 
+TEST(ParseLimits, GrowWithTheLargestTextThatTheCallerAllows) {
+  // 15,000 values with paths of 3,600 bytes, 54 MB: too long for a file of 4 MB, not for one of 8 MB.
+  const std::string open = repeat(fmt::format("{{{:k<900}: ", 'k'), 4);
+  const std::string paths = open + "[" + repeat("1, ", 15'000) + "1]" + repeat("}", 4);
+  EXPECT_TRUE(contains(parse_error(paths), "together longer than 32 MB"));
+  EXPECT_NO_THROW(parse_text(paths, "in.yaml", 2 * kMaxBytes));
+  const std::string values = repeat("- 1\n", kMaxItems);
+  EXPECT_TRUE(contains(parse_error(values), "more than 200000 values"));
+  EXPECT_NO_THROW(parse_text(values, "in.yaml", 2 * kMaxBytes));
+}
+
 TEST(ParseLimits, OverlaysLargeMapsInReasonableTime) {
   std::string text;
   for (int i = 0; i < 100'000; ++i) text += "key" + std::to_string(i) + ": 1\n";
