@@ -111,8 +111,9 @@ GainDeclaration declared(const py::dict& given) {
     else if (name == "upper_factor")
       gain.upper_factor = value.cast<double>();
     else
-      throw py::value_error(
-          fmt::format("own: a gain has no key '{}'; see help(armtune.register_controller)", name));
+      throw py::value_error(fmt::format(
+          "register_controller: a gain of 'own' cannot have the key '{}'; see help(armtune.register_controller)",
+          name));
   }
   return gain;
 }

@@ -4,6 +4,8 @@
 
 #include <exception>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
@@ -38,6 +40,37 @@ void issue_warnings(const std::vector<std::string>& sentences) {
   }
 }
 
+/// Text for Python, in which bytes of a path that are not UTF-8 survive; None if it is empty.
+py::object text_or_none(const std::string& text) {
+  if (text.empty()) return py::none();
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeFSDefaultAndSize(text.data(), static_cast<Py_ssize_t>(text.size())));
+}
+
+void raise_input_error(const InputError& error) {
+  const py::object type = py::module_::import("armtune._armtune").attr("InputError");
+  const py::object raised = type(error.what());
+  raised.attr("file") = text_or_none(error.place().file);
+  if (error.place().line > 0) raised.attr("line") = error.place().line;
+  raised.attr("key") = text_or_none(error.place().key);
+  PyErr_SetObject(type.ptr(), raised.ptr());
+}
+
+/// InputError, with the place of the error as attributes. What is not known is None.
+void bind_input_error(py::module_& module, const py::object& error) {
+  // A ValueError too, as Python has it for what cannot be used as it is.
+  const py::tuple bases = py::make_tuple(error, py::handle(PyExc_ValueError));
+  const auto& type = py::register_exception<InputError>(module, "InputError", bases);
+  for (const char* name : {"file", "line", "key"}) type.attr(name) = py::none();
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(std::move(thrown));
+    } catch (const InputError& input_error) {
+      raise_input_error(input_error);
+    }
+  });
+}
+
 void bind_progress(py::module_& module) {
   py::class_<Progress>(module, "Progress", made_by_armtune(), "Progress of one part of the work.")
       .def_readonly("work", &Progress::work, "Name of the part.")
@@ -58,9 +91,7 @@ PYBIND11_MODULE(_armtune, module) {
   module.doc() = "Offline gain tuning and trajectory planning for robot arms.";
   const auto error = py::register_exception<armtune::Error>(module, "Error", PyExc_RuntimeError);
   py::register_exception<armtune::FailedError>(module, "FailedError", error);
-  // A ValueError too, as Python has it for what cannot be used as it is.
-  const py::tuple bases = py::make_tuple(error, py::handle(PyExc_ValueError));
-  py::register_exception<armtune::InputError>(module, "InputError", bases);
+  python::bind_input_error(module, error);
   python::bind_progress(module);
   python::bind_gains(module);
   python::bind_rollouts(module);

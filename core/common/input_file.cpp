@@ -61,7 +61,7 @@ class OpenFile {
 }  // namespace
 
 std::string read_file(const std::string& path, std::size_t max_bytes, const std::string& kind) {
-  const auto refuse = [&](const std::string& why) { throw InputError(fmt::format("{}: {}", path, why)); };
+  const auto refuse = [&](const std::string& why) { throw InputError(InputPlace{path}, why); };
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (status.type() == std::filesystem::file_type::not_found) refuse("no such file");
@@ -94,14 +94,15 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
 
 std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind) {
   if (!is_printable(path)) {
-    throw InputError(fmt::format(
-        "{}: the path contains a control character, a line separator or a byte that is not UTF-8, which "
-        "result files cannot contain; rename it",
-        path));
+    throw InputError(
+        InputPlace{path},
+        "the path contains a control character, a line separator or a byte that is not UTF-8, which "
+        "result files cannot contain; rename it");
   }
   if (Bytes bytes = recorded_input(path)) {
     if (bytes->size() > max_bytes)
-      throw InputError(fmt::format("{}: larger than {} MB; expected a smaller file", path, max_bytes >> 20));
+      throw InputError(InputPlace{path},
+                       fmt::format("larger than {} MB; expected a smaller file", max_bytes >> 20));
     return *bytes;
   }
   std::string text = read_file(path, max_bytes, kind);

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const std::string& path, const std::error_code& why) {
   throw InputError(
-      fmt::format("{}: cannot be accessed: {}; name another path, or remove the cause", path, why.message()));
+      InputPlace{path},
+      fmt::format("cannot be accessed: {}; name another path, or remove the cause", why.message()));
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ void refuse_existing(const std::string& path) {
   const fs::file_status status = fs::symlink_status(path, error);
   if (status.type() == fs::file_type::not_found) return;
   if (status.type() == fs::file_type::none) refuse(path, error);
-  throw InputError(fmt::format("{}: exists already; name another file, or remove this one", path));
+  throw InputError(InputPlace{path}, "exists already; name another file, or remove this one");
 }
 
 bool is_missing_or_empty(const std::string& folder) {

@@ -22,13 +22,14 @@ LinkInertia in_link_frame(const GivenInertia& told) {
 LinkInertia inertia_of(const UrdfLink& link, const std::string& source) {
   const UrdfInertial& given = *link.inertial;
   if (given.mass < 0.0)
-    throw InputError(
-        fmt::format("{}: link '{}': mass is {} kg; it must not be negative", source, link.name, given.mass));
+    throw InputError(InputPlace{source},
+                     fmt::format("link '{}': mass is {} kg; it must not be negative", link.name, given.mass));
   const double least = given.about_center.diagonal().minCoeff();
   const double largest = given.about_center.diagonal().maxCoeff() + given.mass * given.p_LC.squaredNorm();
   if (least < -kRounding * largest)
-    throw InputError(fmt::format("{}: link '{}': a moment of inertia is {} kg m^2; none may be negative",
-                                 source, link.name, least));
+    throw InputError(
+        InputPlace{source},
+        fmt::format("link '{}': a moment of inertia is {} kg m^2; none may be negative", link.name, least));
   return in_frame({given.mass, Vec3::Zero(), given.about_center}, given.R_LC, given.p_LC);
 }
 
@@ -72,11 +73,13 @@ void LinkInertias::judge(Chain& chain, const std::string& source, MissingData* m
     }
   }
   if (missing != nullptr || named.empty()) return;
-  throw InputError(fmt::format(
-      "{}: no rigid body has these principal moments of inertia [kg m^2]: {}. None may be negative, or "
-      "larger than the sum of the other two (triangle inequality). 'armtune robot {} --sidecar arm.yaml' "
-      "proposes the nearest possible values",
-      source, named, source));
+  throw InputError(
+      InputPlace{source},
+      fmt::format(
+          "no rigid body has these principal moments of inertia [kg m^2]: {}. None may be negative, or "
+          "larger than the sum of the other two (triangle inequality). 'armtune robot {} --sidecar arm.yaml' "
+          "proposes the nearest possible values",
+          named, source));
 }
 
 }  // namespace armtune::internal

@@ -45,10 +45,12 @@ RobotModel with_link_surfaces(const RobotModel& model) {
     if (!known) unknown.push_back(model.joints[static_cast<std::size_t>(i)].link);
   }
   if (!unknown.empty()) {
-    throw InputError(fmt::format(
-        "{}: the thickness of these links is not known: {}. They have no box, cylinder, sphere or capsule as "
-        "a shape; give link_radius [m] in the robot's YAML",
-        model.source, fmt::join(unknown, ", ")));
+    throw InputError(
+        InputPlace{model.source},
+        fmt::format(
+            "the thickness of these links is not known: {}. They have no box, cylinder, sphere or capsule as "
+            "a shape; give link_radius [m] in the robot's YAML",
+            fmt::join(unknown, ", ")));
   }
   RobotModel result = model;
   result.chain.link_radius = model.link_radii;

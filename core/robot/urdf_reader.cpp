@@ -68,8 +68,9 @@ Parsed parse(const std::string& text, const std::string& path) {
     for (const auto& [name, link] : parsed->links_) link->clear();
   });
   if (const std::string errors = log.line(); !errors.empty())
-    throw InputError(fmt::format("{}: {}; correct the file", path, errors));
-  if (!parsed || !parsed->getRoot()) throw InputError(path + ": contains no robot that urdfdom can read");
+    throw InputError(InputPlace{path}, fmt::format("{}; correct the file", errors));
+  if (!parsed || !parsed->getRoot())
+    throw InputError(InputPlace{path}, "contains no robot that urdfdom can read");
   return tree;
 }
 

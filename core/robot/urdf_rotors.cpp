@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -43,8 +44,9 @@ std::optional<Said> said(const pugi::xml_node& actuator, const char* element, bo
 double read(const Said& said, const std::string& joint, const std::string& path) {
   const std::optional<double> value = number(said.text);
   if (!value) {
-    throw InputError(fmt::format("{}: joint '{}': the {} of its transmission is '{}', which is not a number",
-                                 path, joint, said.element, said.text));
+    throw InputError(InputPlace{path},
+                     fmt::format("joint '{}': the {} of its transmission is '{}', which is not a number",
+                                 joint, said.element, said.text));
   }
   return *value;
 }
@@ -56,17 +58,19 @@ std::optional<double> reflected(const pugi::xml_node& actuator, const std::strin
   if (!rotor) return std::nullopt;
   const double inertia = read(*rotor, joint, path);
   if (inertia < 0.0) {
-    throw InputError(fmt::format(
-        "{}: joint '{}': the drake:rotor_inertia of its transmission is {}; it must not be negative", path,
-        joint, inertia));
+    throw InputError(
+        InputPlace{path},
+        fmt::format("joint '{}': the drake:rotor_inertia of its transmission is {}; it must not be negative",
+                    joint, inertia));
   }
   std::optional<Said> gear = said(actuator, "drake:gear_ratio", true);
   if (!gear) gear = said(actuator, "mechanicalReduction", false);
   if (!gear) return inertia;
   const double ratio = read(*gear, joint, path);
   if (ratio == 0.0) {
-    throw InputError(fmt::format("{}: joint '{}': the {} of its transmission is 0; it must not be 0", path,
-                                 joint, gear->element));
+    throw InputError(
+        InputPlace{path},
+        fmt::format("joint '{}': the {} of its transmission is 0; it must not be 0", joint, gear->element));
   }
   return ratio * ratio * inertia;
 }
@@ -78,7 +82,7 @@ std::map<std::string, double> rotor_inertias(const std::string& urdf, const std:
   const pugi::xml_parse_result parsed = document.load_buffer(urdf.data(), urdf.size());
   if (!parsed) {
     const auto line = 1 + std::count(urdf.begin(), urdf.begin() + parsed.offset, '\n');
-    throw InputError(fmt::format("{}:{}: {}; correct the file", path, line, parsed.description()));
+    throw InputError(at_line(path, line), fmt::format("{}; correct the file", parsed.description()));
   }
   std::map<std::string, double> inertias;
   for (const pugi::xml_node& transmission : document.child("robot").children("transmission")) {

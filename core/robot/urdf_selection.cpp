@@ -24,27 +24,27 @@ std::vector<std::string> names_of(const Map& map) {
 void require_link(const UrdfTree& tree, const std::string& name, const char* what,
                   const std::string& source) {
   if (tree.links.contains(name)) return;
-  throw InputError(fmt::format("{}: {} '{}': there is no such link{}", source, what, name,
-                               suggestion(name, names_of(tree.links))));
+  throw InputError(InputPlace{source}, fmt::format("{} '{}': there is no such link{}", what, name,
+                                                   suggestion(name, names_of(tree.links))));
 }
 
 void require_joint(const UrdfTree& tree, const std::string& name, const char* what,
                    const std::string& source) {
   if (tree.joints.contains(name)) return;
-  throw InputError(fmt::format("{}: {}: there is no joint '{}'{}", source, what, name,
-                               suggestion(name, names_of(tree.joints))));
+  throw InputError(InputPlace{source}, fmt::format("{}: there is no joint '{}'{}", what, name,
+                                                   suggestion(name, names_of(tree.joints))));
 }
 
 void check_held(const UrdfJoint& joint, double value, const UrdfOptions& options, const std::string& source) {
   if (joint.motion == UrdfMotion::kFixed || joint.motion == UrdfMotion::kOther) {
-    throw InputError(
-        fmt::format("{}: hold: joint '{}' is fixed, floating or planar; leave it out", source, joint.name));
+    throw InputError(InputPlace{source},
+                     fmt::format("hold: joint '{}' is fixed, floating or planar; leave it out", joint.name));
   }
   const auto [lower, upper] = position_range(joint, options).value_or(std::pair(-HUGE_VAL, HUGE_VAL));
   if (std::isfinite(value) && value >= lower && value <= upper) return;
-  throw InputError(fmt::format("{}: hold: joint '{}' at {} {} is outside its limits {} .. {}", source,
-                               joint.name, value, joint.motion == UrdfMotion::kPrismatic ? "m" : "rad", lower,
-                               upper));
+  throw InputError(InputPlace{source},
+                   fmt::format("hold: joint '{}' at {} {} is outside its limits {} .. {}", joint.name, value,
+                               joint.motion == UrdfMotion::kPrismatic ? "m" : "rad", lower, upper));
 }
 
 bool moves(const UrdfJoint& joint, const UrdfOptions& options) {
@@ -118,9 +118,10 @@ UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const
   const bool behind = find_way(tree, selection.base, tip, selection.on_the_way);
   if (asked && !behind) {
     throw InputError(
-        fmt::format("{}: no chain of joints leads from base_link '{}' to tip_link '{}'; choose two links on "
+        InputPlace{source},
+        fmt::format("no chain of joints leads from base_link '{}' to tip_link '{}'; choose two links on "
                     "the same chain, the tip_link after the base_link",
-                    source, selection.base, tip));
+                    selection.base, tip));
   }
   selection.has_tip =
       behind && std::any_of(selection.on_the_way.begin(), selection.on_the_way.end(),

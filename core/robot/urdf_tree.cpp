@@ -18,8 +18,9 @@ void require_tree(const UrdfTree& tree, const std::string& source) {
       const std::string& child = tree.joints.at(name).child;
       if (!reached.insert(child).second) {
         throw InputError(
-            fmt::format("{}: link '{}' has a second parent joint, '{}'; links and joints must form a tree",
-                        source, child, name));
+            InputPlace{source},
+            fmt::format("link '{}' has a second parent joint, '{}'; links and joints must form a tree", child,
+                        name));
       }
       open.push_back(child);
     }
@@ -27,8 +28,9 @@ void require_tree(const UrdfTree& tree, const std::string& source) {
   for (const auto& [name, link] : tree.links) {
     if (reached.contains(name)) continue;
     throw InputError(
-        fmt::format("{}: link '{}': no joints lead to it from the root link '{}'; is it part of a loop?",
-                    source, name, tree.root));
+        InputPlace{source},
+        fmt::format("link '{}': no joints lead to it from the root link '{}'; is it part of a loop?", name,
+                    tree.root));
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
+#include "core/common/input_place.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -73,7 +74,7 @@ class Scanner {
   template <typename... Args>
   [[noreturn]] void refuse(std::size_t at, fmt::format_string<Args...> text, Args&&... args) const {
     const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    throw InputError(fmt::format("{}:{}: ", path_, line) + fmt::format(text, std::forward<Args>(args)...));
+    throw InputError(at_line(path_, line), fmt::format(text, std::forward<Args>(args)...));
   }
 
   [[noreturn]] void refuse_xacro(std::size_t at, std::string_view found) const {
@@ -98,8 +99,10 @@ class Scanner {
       if (text_[end] == '"' || text_[end] == '\'') end = attribute(at, end);
       if (text_[end] == '%') refuse_format(end);
       if (text_[end] == '=' && ++attributes > kMaxAttributes)
-        refuse(at, "a tag has more than {} attributes; a URDF needs no more than 10: remove the others",
-               kMaxAttributes);
+        refuse(
+            at,
+            "a tag has more than {} attributes; a URDF needs no more than 10; remove those that it does not need",
+            kMaxAttributes);
     }
     if (end >= text_.size() || text_[end] == '<') refuse(at, "a tag is not closed by '>'; close it");
     const std::string_view body = text_.substr(at + 1, end - at - 1);
@@ -208,9 +211,9 @@ class Scanner {
 
 std::string read_guarded_urdf(const std::string& path) {
   std::string text = read_input_file(path, kMaxBytes, "a URDF file");
-  if (text.empty()) throw InputError(path + ": is empty");
+  if (text.empty()) throw InputError(InputPlace{path}, "is empty");
   if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
-    throw InputError(path + ": is UTF-16 or binary; save it as UTF-8");
+    throw InputError(InputPlace{path}, "is UTF-16 or binary; save it as UTF-8");
   Scanner scanner(path, text);
   scanner.run();
   return scanner.completed();

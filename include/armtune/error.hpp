@@ -3,6 +3,7 @@
 // std::bad_alloc, can pass through armtune. A simulation that diverges, a search without a feasible point
 // and an interrupted run are not errors: the returned result reports them.
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -16,11 +17,29 @@ class Error : public std::runtime_error {
   explicit Error(const std::string& message);
 };
 
+/// The place of an error in the input. What is not known is empty or 0.
+struct InputPlace {
+  std::string file = {};  ///< as the user named it, or as a file of the user named it
+  long line = 0;          ///< counted from 1
+  std::string key = {};   ///< in YAML "targets/1/center", in CSV the name of the column
+};
+
 /// An input that cannot be used as it is: a file that cannot be read, a value outside its limits, an unknown
 /// name.
 class InputError : public Error {
  public:
   using Error::Error;
+  /// what() is "FILE:LINE: PROBLEM", or "FILE: PROBLEM" if the line is not known.
+  InputError(InputPlace place, const std::string& problem);
+
+  /// Returns this error with more text at the end of what().
+  InputError with(const std::string& more) const;
+
+  /// Returns the place of the error. It is empty if the error is not in a file.
+  const InputPlace& place() const noexcept { return *place_; }
+
+ private:
+  std::shared_ptr<const InputPlace> place_ = std::make_shared<const InputPlace>();
 };
 
 /// A failure during work that started with valid input, such as writing to a full disk. Results that were

@@ -14,7 +14,11 @@ _Stepper = Literal["midpoint", "semi_implicit_euler", "rk4", "reference"]
 _Watch = Callable[["Progress"], object] | None
 
 class Error(RuntimeError): ...
-class InputError(Error, ValueError): ...
+class InputError(Error, ValueError):
+    file: str | None
+    line: int | None
+    key: str | None
+
 class FailedError(Error): ...
 
 class Interrupted(KeyboardInterrupt):

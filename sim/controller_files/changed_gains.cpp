@@ -81,11 +81,13 @@ void refuse_what_is_lost(const std::string& changed, const RosController& contro
     Eigen::Index k = 0;
     (back.own[place] - gains.own[place]).cwiseAbs().maxCoeff(&k);
     const bool each = own_gain->shape == GainShape::kJoints;
-    throw InputError(one_line(fmt::format(
-        "{}: {}: {}{} must become {}, but the changed file would still give {}; set this gain in the file by "
-        "hand",
-        file, controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
-        yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k]))));
+    throw InputError(
+        InputPlace{file, 0, field.name},
+        fmt::format(
+            "{}: {}{} must become {}, but the changed file would still give {}; set this gain in the file by "
+            "hand",
+            controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
+            yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k])));
   }
 }
 
@@ -96,8 +98,8 @@ std::string with_gains(const std::string& text, const RosController& controller,
   const ParameterReader parameters(controller, file);
   const Gains now = controller_gains(controller, file, joints);
   if (gains.controller != now.controller)
-    throw InputError(fmt::format("{}: {} is a {}, but the gains are for a {}", file, controller.name,
-                                 now.controller, gains.controller));
+    throw InputError(InputPlace{file}, fmt::format("{} is a {}, but the gains are for a {}", controller.name,
+                                                   now.controller, gains.controller));
   const std::vector<Change> changes =
       changes_of(placed_gains(controller, file, now, joints), placed_gains(controller, file, gains, joints));
   const Uses uses(*controller.all);

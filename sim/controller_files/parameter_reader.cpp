@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 
 namespace armtune::internal {
@@ -24,7 +25,7 @@ bool is_same_to_all(std::string_view digits, bool ros2) {
 }  // namespace
 
 void ParameterReader::fail(int line, const std::string& what) const {
-  throw InputError(one_line(fmt::format("{}:{}: {}: {}", file_, line, controller_.name, what)));
+  throw InputError(at_line(file_, line, controller_.name), fmt::format("{}: {}", controller_.name, what));
 }
 
 double ParameterReader::number(const yaml::PlacedValue& value, const std::string& what) const {

@@ -137,8 +137,8 @@ RosController chosen_controller(const std::vector<RosController>& all, const std
   if (!name.empty()) {
     const auto able = those([&name](const RosController& controller) { return controller.name == name; });
     if (able.size() == 1) return *able.front();
-    throw InputError(
-        fmt::format("{}: no controller '{}' with gains{}; {}", file, name, suggestion(name, names), there));
+    throw InputError(InputPlace{file}, fmt::format("no controller '{}' with gains{}; {}", name,
+                                                   suggestion(name, names), there));
   }
   const char* what = "joint trajectory controllers";
   auto able = those(is_trajectory);
@@ -147,9 +147,10 @@ RosController chosen_controller(const std::vector<RosController>& all, const std
     what = "joint impedance controllers";
   }
   if (able.size() == 1) return *able.front();
-  throw InputError(fmt::format(
-      "{}: found {} {} with gains; {}{}", file, able.empty() ? "no" : fmt::to_string(able.size()), what,
-      there, able.empty() ? "" : "; name one of them: --node NAME, or in a study 'node: NAME'"));
+  throw InputError(
+      InputPlace{file},
+      fmt::format("found {} {} with gains; {}{}", able.empty() ? "no" : fmt::to_string(able.size()), what,
+                  there, able.empty() ? "" : "; name one of them: --node NAME, or in a study 'node: NAME'"));
 }
 
 }  // namespace armtune::internal

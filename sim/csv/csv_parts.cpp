@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 
@@ -20,7 +21,8 @@ void refuse_two_of_one_name(const std::vector<std::string>& header, const std::s
   std::unordered_set<std::string_view> seen;
   for (const std::string& name : header) {
     if (seen.insert(name).second) continue;
-    throw InputError(fmt::format("{}:1: two columns are called {}; remove or rename one", file, shown(name)));
+    throw InputError(at_line(file, 1, name),
+                     fmt::format("two columns are called {}; remove or rename one", shown(name)));
   }
 }
 
@@ -32,12 +34,12 @@ std::vector<std::string> read_csv_header(CsvCells& cells, const std::string& tex
   while (cells.next(cell)) {
     header.emplace_back(text, cell.begin, cell.end - cell.begin);
     if (header.size() > kMaxColumns) {
-      throw InputError(fmt::format("{}:1: more than {} columns; is it a CSV file?", file, kMaxColumns));
+      throw InputError(at_line(file, 1), fmt::format("more than {} columns; is it a CSV file?", kMaxColumns));
     }
     if (cell.last_of_row) break;
   }
   if (cells.open_quote_line() > 0) refuse_open_quote(cells, file);
-  if (header.empty() || !cell.has_line_end) throw InputError(file + ": has no header row");
+  if (header.empty() || !cell.has_line_end) throw InputError(InputPlace{file}, "has no header row");
   refuse_two_of_one_name(header, file);
   return header;
 }
@@ -56,7 +58,8 @@ std::optional<std::size_t> find_csv_column(const std::vector<std::string>& heade
 std::size_t csv_column(const std::vector<std::string>& header, const std::string& file,
                        std::string_view name) {
   if (const auto found = find_csv_column(header, name)) return *found;
-  throw InputError(fmt::format("{}:1: no column '{}'{}", file, name, suggestion(name, header)));
+  throw InputError(at_line(file, 1, std::string(name)),
+                   fmt::format("no column '{}'{}", name, suggestion(name, header)));
 }
 
 double csv_number(std::string_view cell, const std::string& file, std::size_t line,
@@ -66,21 +69,21 @@ double csv_number(std::string_view cell, const std::string& file, std::size_t li
   const char* end = cell.data() + cell.size();
   const auto [read, error] = std::from_chars(cell.data(), end, value);
   if (read != end || error != std::errc())
-    throw InputError(fmt::format("{}:{}: {} in column {} is not a number", file, line, shown(cell), column));
+    throw InputError(at_line(file, line, column),
+                     fmt::format("{} in column {} is not a number", shown(cell), column));
   return value;
 }
 
 void refuse_csv_row(const std::string& file, std::size_t line, std::size_t cells, std::size_t header) {
-  throw InputError(
-      fmt::format("{}:{}: the row has {} cells, but the header has {}; give every row as many "
-                  "cells as the header",
-                  file, line, cells, header));
+  throw InputError(at_line(file, line),
+                   fmt::format("the row has {} cells, but the header has {}; give every row as many "
+                               "cells as the header",
+                               cells, header));
 }
 
 void refuse_open_quote(const CsvCells& cells, const std::string& file) {
-  throw InputError(fmt::format(
-      "{}:{}: the quote opened here is never closed; close it, or double it if it is part of the text", file,
-      cells.open_quote_line()));
+  throw InputError(at_line(file, cells.open_quote_line()),
+                   "the quote opened here is never closed; close it, or double it if it is part of the text");
 }
 
 }  // namespace armtune::internal

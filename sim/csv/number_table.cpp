@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "sim/csv/csv_parts.hpp"
 
 namespace armtune::internal {
@@ -36,7 +37,8 @@ NumberTable NumberTable::read(const std::string& path, const std::function<bool(
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    throw InputError(fmt::format("{}: cannot be opened: {}", path, std::generic_category().message(errno)));
+    throw InputError(InputPlace{path},
+                     fmt::format("cannot be opened: {}", std::generic_category().message(errno)));
   std::string text;
   bool first = true;
   while (file) {
@@ -51,12 +53,12 @@ NumberTable NumberTable::read(const std::string& path, const std::function<bool(
     if (end > 0) table.take(text.substr(0, end), wanted);
     text.erase(0, end);
     if (text.size() > kMaxRowBytes) {
-      throw InputError(fmt::format("{}:{}: a row of more than {} MB; is it a CSV file?", path,
-                                   table.place_.empty() ? 1 : table.rows_ + 2, kMaxRowBytes >> 20));
+      throw InputError(at_line(path, table.place_.empty() ? 1 : table.rows_ + 2),
+                       fmt::format("a row of more than {} MB; is it a CSV file?", kMaxRowBytes >> 20));
     }
   }
-  if (file.bad()) throw InputError(path + ": cannot be read");
-  if (table.place_.empty()) throw InputError(path + ": has no header row");
+  if (file.bad()) throw InputError(InputPlace{path}, "cannot be read");
+  if (table.place_.empty()) throw InputError(InputPlace{path}, "has no header row");
   return table;
 }
 
@@ -87,7 +89,8 @@ void NumberTable::take(std::string rows, const std::function<bool(std::string_vi
     if (in_row != place_.size()) refuse_csv_row(name_, rows_ + 2, in_row, place_.size());
     in_row = 0;
     if (++rows_ * std::max<std::size_t>(1, header_.size()) > kMaxCells)
-      throw InputError(fmt::format("{}: more than {} numbers; expected a smaller file", name_, kMaxCells));
+      throw InputError(InputPlace{name_},
+                       fmt::format("more than {} numbers; expected a smaller file", kMaxCells));
   }
 }
 

@@ -18,7 +18,7 @@ namespace armtune::internal {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
-  throw InputError(fmt::format("{}: cannot {}: {}", path, what, std::strerror(errno)));
+  throw InputError(InputPlace{path}, fmt::format("cannot {}: {}", what, std::strerror(errno)));
 }
 
 /// Fails for a file that could not be made: in the user's words, who named `path` and nothing beside it.
@@ -28,8 +28,9 @@ namespace {
   std::error_code ignored;
   if (!parent.empty() && (reason == ENOENT || reason == ENOTDIR) &&
       !std::filesystem::is_directory(parent, ignored)) {
-    throw InputError(fmt::format("{}: cannot write it: {} is not a folder; create it, or name another file",
-                                 path, parent));
+    throw InputError(
+        InputPlace{path},
+        fmt::format("cannot write it: {} is not a folder; create it, or name another file", parent));
   }
   errno = reason;
   fail(reason == EEXIST ? partial_path(path) : path, "write it");  // what stands there can be taken away
@@ -100,7 +101,8 @@ void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error || !std::filesystem::is_directory(path)) {
-    throw InputError(fmt::format("{}: cannot create this folder: {}", path,
+    throw InputError(InputPlace{path},
+                     fmt::format("cannot create this folder: {}",
                                  error ? error.message() : std::string("a file with this name exists")));
   }
 }

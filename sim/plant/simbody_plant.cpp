@@ -283,7 +283,7 @@ std::unique_ptr<Plant> make_simbody_plant(const RobotModel& model, Stepper stepp
     if (stepper == Stepper::kReference) return std::make_unique<SimbodyReferencePlant>(model);
     return std::make_unique<SimbodyPlant>(model, stepper);
   } catch (const std::exception& e) {
-    throw InputError(model.source + ": Simbody cannot simulate this arm: " + e.what());
+    throw InputError(InputPlace{model.source}, std::string("Simbody cannot simulate this arm: ") + e.what());
   }
 }
 

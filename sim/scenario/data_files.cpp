@@ -51,9 +51,9 @@ std::string portable_reference(const std::string& path) {
   const bool bundled = path.ends_with(kExtension) && folder.parent_path() == fs::path(data_folder());
   std::string reference = bundled ? stem(path) : absolute_path(path);
   if (!is_utf8(reference)) {
-    throw InputError(fmt::format(
-        "{}: the path is not UTF-8 and cannot be written into a file; rename the file or its folder",
-        reference));
+    throw InputError(
+        InputPlace{reference},
+        "the path is not UTF-8 and cannot be written into a file; rename the file or its folder");
   }
   return reference;
 }

@@ -287,10 +287,12 @@ std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, 
   }
   if (obstacle.empty() && arm.n() < components(TaskMask::kPosition))
     obstacle = fmt::format("{} joints are too few; a first task needs at least three", arm.n());
-  throw InputError(fmt::format(
-      "{}: no first task was found for {}, not even a circle with a radius of {:.2g} m{}{}. You can also "
-      "write a scenario with your own path",
-      arm.source, arm.name, kRadius * reach(arm) / (1 << kHalvings), obstacle.empty() ? "" : ": ", obstacle));
+  throw InputError(
+      InputPlace{arm.source},
+      fmt::format(
+          "no first task was found for {}, not even a circle with a radius of {:.2g} m{}{}. You can also "
+          "write a scenario with your own path",
+          arm.name, kRadius * reach(arm) / (1 << kHalvings), obstacle.empty() ? "" : ": ", obstacle));
 }
 
 }  // namespace armtune::internal

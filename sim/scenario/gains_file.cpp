@@ -114,10 +114,12 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
     return gains;
   }
   if (!node.empty())
-    throw InputError(fmt::format(
-        "{}: a node ('{}') can be named only for a ROS parameter file with controllers, which this is not; "
-        "remove the option or key that names the node",
-        path, node));
+    throw InputError(
+        InputPlace{path},
+        fmt::format(
+            "a node ('{}') can be named only for a ROS parameter file with controllers, which this is not; "
+            "remove the option or key that names the node",
+            node));
   const yaml::Node root = yaml::parse_text(text, path);
   const yaml::Node& fields = fields_node(root);
   refuse_several(fields);

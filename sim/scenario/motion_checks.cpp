@@ -30,10 +30,11 @@ void MotionChecks::check_position(int joint, double q, std::size_t point, bool b
   const double from_degrees = q * std::numbers::pi / 180.0;
   const bool degrees =
       std::abs(q) > 2.0 * std::numbers::pi && from_degrees >= limits.lower && from_degrees <= limits.upper;
-  throw InputError(
-      fmt::format("{}{}: joint/{}/position is {:.9g}, outside the joint's limits {:.6g} .. {:.6g}; {}",
-                  points_.where(point), between ? ", between this point and the next" : "", info.name, q,
-                  limits.lower, limits.upper, degrees ? degrees_ : "plan the motion for this robot"));
+  const std::string key = fmt::format("joint/{}/position", info.name);
+  throw InputError(points_.where(point, key),
+                   fmt::format("{}{} is {:.9g}, outside the joint's limits {:.6g} .. {:.6g}; {}",
+                               between ? "between this point and the next, " : "", key, q, limits.lower,
+                               limits.upper, degrees ? degrees_ : "plan the motion for this robot"));
 }
 
 void MotionChecks::at_points() const {
@@ -78,12 +79,15 @@ void MotionChecks::steps() const {
     for (int i = 0; i < robot_.n(); ++i) {
       const auto check = [&](const char* what, double value, double wanted, double most) {
         if (std::abs(value - wanted) <= most) return;
-        throw InputError(fmt::format(
-            "{}: joint/{}/{} is {:.9g}. It differs by {:.3g} from the value that the previous row gives if "
-            "the acceleration changes linearly between the rows; at most {:g} is allowed. Give more rows, "
-            "more digits, or accelerations that match",
-            points_.where(k + 1), robot_.joints[static_cast<std::size_t>(i)].name, what, value,
-            std::abs(value - wanted), most));
+        const std::string key =
+            fmt::format("joint/{}/{}", robot_.joints[static_cast<std::size_t>(i)].name, what);
+        throw InputError(
+            points_.where(k + 1, key),
+            fmt::format(
+                "{} is {:.9g}. It differs by {:.3g} from the value that the previous row gives if "
+                "the acceleration changes linearly between the rows; at most {:g} is allowed. Give more rows, "
+                "more digits, or accelerations that match",
+                key, value, std::abs(value - wanted), most));
       };
       check("position", row.position[i], expected.position[i], kPositionJump);
       check("velocity", row.velocity[i], expected.velocity[i], kVelocityJump);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/common/input_place.hpp"
 #include "core/common/types.hpp"
 #include "core/trajectory/motion_point.hpp"
 #include "core/trajectory/ros_segments.hpp"
@@ -18,8 +19,10 @@ struct MotionPoints {
   std::string file;                              ///< name of the file in messages
   std::vector<std::size_t> lines;                ///< line of each point in the file
 
-  /// Returns "FILE:LINE" of a point.
-  std::string where(std::size_t point) const { return file + ":" + std::to_string(lines[point]); }
+  /// Returns the place of a value of a point; key: name of the value.
+  InputPlace where(std::size_t point, std::string key) const {
+    return at_line(file, lines[point], std::move(key));
+  }
 };
 
 }  // namespace armtune::internal

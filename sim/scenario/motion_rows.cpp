@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 
 namespace armtune::internal {
@@ -22,9 +23,9 @@ double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, c
   const double value = table.number(row, column);
   if (std::isfinite(value)) return value;
   const std::string text = table.text(row, column);
-  throw InputError(
-      fmt::format("{}:{}: {} in column {} is not a finite number; every row of a motion needs one", path,
-                  line_of(row), text.empty() ? "an empty cell" : shown(text), table.header()[column]));
+  throw InputError(at_line(path, line_of(row), table.header()[column]),
+                   fmt::format("{} in column {} is not a finite number; every row of a motion needs one",
+                               text.empty() ? "an empty cell" : shown(text), table.header()[column]));
 }
 
 std::vector<double> rising_times(const CsvTable& table, const std::string& path) {
@@ -34,22 +35,25 @@ std::vector<double> rising_times(const CsvTable& table, const std::string& path)
   for (std::size_t row = 0; row < table.rows(); ++row) {
     time.push_back(finite_cell(table, row, column, path));
     if (row == 0 && time[0] > kLatest) {
-      throw InputError(fmt::format(
-          "{}:{}: time begins at {:.15g} s, which looks like a Unix time stamp; subtract the first time from "
-          "all rows, so that the motion begins at 0 s",
-          path, line_of(row), time[0]));
+      throw InputError(
+          at_line(path, line_of(row), "time"),
+          fmt::format(
+              "time begins at {:.15g} s, which looks like a Unix time stamp; subtract the first time from "
+              "all rows, so that the motion begins at 0 s",
+              time[0]));
     }
     if (row == 0 && time[0] < 0.0) {
       throw InputError(
-          fmt::format("{}:{}: time is {} s; it must not be negative: shift the motion to begin at 0 s", path,
-                      line_of(row), time[0]));
+          at_line(path, line_of(row), "time"),
+          fmt::format("time is {} s; it must not be negative: shift the motion to begin at 0 s", time[0]));
     }
     if (row == 0 || time[row] > time[row - 1]) continue;
-    throw InputError(fmt::format("{}:{}: time {} s is not later than {} s in the row before; times must rise",
-                                 path, line_of(row), time[row], time[row - 1]));
+    throw InputError(at_line(path, line_of(row), "time"),
+                     fmt::format("time {} s is not later than {} s in the row before; times must rise",
+                                 time[row], time[row - 1]));
   }
   if (time.size() < 2) {
-    throw InputError(fmt::format("{}: {} rows; a motion needs at least two", path, time.size()));
+    throw InputError(InputPlace{path}, fmt::format("{} rows; a motion needs at least two", time.size()));
   }
   return time;
 }

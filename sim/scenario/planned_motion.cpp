@@ -63,8 +63,9 @@ MotionPoints read_rows(const UserTable& file, const RobotModel& robot) {
                                               fmt::format("time, {}", fmt::join(joint_names(robot), ", ")));
   const CsvTable& table = parsed.table;
   if (table.rows() > kMostRows)
-    throw InputError(fmt::format("{}: {} rows; a motion may have at most {}: use fewer rows", parsed.name,
-                                 table.rows(), kMostRows));
+    throw InputError(
+        InputPlace{parsed.name},
+        fmt::format("{} rows; a motion may have at most {}: use fewer rows", table.rows(), kMostRows));
   MotionPoints motion;
   motion.file = parsed.name;
   motion.time = rising_seconds(parsed, file);
@@ -116,10 +117,10 @@ PlannedFile read_planned_node(const yaml::Node& node) {
 JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot) {
   const bool message = is_trajectory_message(file.table.path);
   if (message && file.table.is_described())
-    throw InputError(fmt::format(
-        "{}: 'units' and 'columns' are for CSV files only; a JointTrajectory has seconds, radians and "
-        "joint_names: leave both keys out",
-        file.table.path));
+    throw InputError(
+        InputPlace{file.table.path},
+        "'units' and 'columns' are for CSV files only; a JointTrajectory has seconds, radians and "
+        "joint_names: leave both keys out");
   MotionPoints motion =
       message ? load_trajectory_message(file.table.path, robot) : read_rows(file.table, robot);
   const MotionChecks checks(

@@ -195,7 +195,8 @@ double read_duration(const yaml::Node* node, const Scenario& scenario) {
   if (duration >= period && duration <= kMaxPeriods * period) return duration;
   const std::string message = fmt::format("{} s; it must lie between one and {:.0e} control periods of {} s",
                                           duration, kMaxPeriods, period);
-  if (node == nullptr) throw InputError(scenario.source + ": the planned trajectory takes " + message);
+  if (node == nullptr)
+    throw InputError(InputPlace{scenario.source}, "the planned trajectory takes " + message);
   node->fail(message);
 }
 
@@ -210,8 +211,9 @@ void read_clearance(const yaml::Node* node, const RobotFile& robot, Scenario& sc
                                    [&](const CellPart& part) { return part.name == obstacle.name; });
     if (taken)
       throw InputError(
-          fmt::format("{}: an obstacle and a part of the cell are both called '{}'; rename one of them",
-                      scenario.source, obstacle.name));
+          InputPlace{scenario.source},
+          fmt::format("an obstacle and a part of the cell are both called '{}'; rename one of them",
+                      obstacle.name));
     if (obstacle.radius > 0.0)
       cell->parts.push_back({obstacle.name, sphere(obstacle.radius), Mat3::Identity(), obstacle.path, true});
   }
@@ -231,8 +233,9 @@ Scenario load_scenario(const std::string& name_or_path) {
   check_result_name(scenario.name, path);
   if (scenario.name == kAllScenarios)
     throw InputError(
-        fmt::format("{}: the name '{}' is reserved, because it means all scenarios together; rename the file",
-                    path, kAllScenarios));
+        InputPlace{path},
+        fmt::format("the name '{}' is reserved, because it means all scenarios together; rename the file",
+                    kAllScenarios));
   scenario.source = path;
   scenario.description = map.string("description", "");
   const yaml::Node& robot_node = map.required("robot");

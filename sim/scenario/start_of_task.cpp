@@ -49,9 +49,10 @@ JointVector best_start_of_task(const Scenario& scenario) {
   if (best) return *best;
   const Vec3& tool = goal.tool;
   throw InputError(
-      fmt::format("{}: {} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m, where the path begins{}, "
+      InputPlace{shown_path(scenario.source)},
+      fmt::format("{} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m, where the path begins{}, "
                   "within its joint limits; move the path, or give start_position_deg{}",
-                  shown_path(scenario.source), scenario.robot->name, tool.x(), tool.y(), tool.z(),
+                  scenario.robot->name, tool.x(), tool.y(), tool.z(),
                   scenario.orientation ? ", in the required orientation"
                   : goal.target        ? ", with its z axis on the target"
                                        : "",

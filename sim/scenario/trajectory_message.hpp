@@ -1,6 +1,6 @@
 #pragma once
 // Reads a joint motion from a YAML file with a trajectory_msgs/JointTrajectory of ROS 1 or ROS 2. The message
-// is alone, within a RobotTrajectory, or within the goal of a FollowJointTrajectory.
+// stands alone, within a RobotTrajectory, or within the goal of a FollowJointTrajectory.
 
 #include <string>
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 #include "sim/csv/line_cells.hpp"
 
@@ -25,8 +26,7 @@ std::string without_unit(std::string_view name, const std::string& path, const y
   if (!has_brackets(name)) return std::string(name);
   const std::size_t open = name.find_last_of("[(");
   const std::string unit(name.substr(open + 1, name.size() - open - 2));
-  const std::string where = fmt::format("{}:1: column {}", path, shown(std::string(name)));
-  if (!yaml::check_unit(unit, units, where)) return std::string(name);
+  if (!yaml::check_unit(unit, units, at_line(path, 1, std::string(name)))) return std::string(name);
   const std::size_t last = name.find_last_not_of(' ', open - 1);
   return std::string(name.substr(0, last == std::string_view::npos ? 0 : last + 1));
 }
@@ -44,8 +44,9 @@ std::string plain_names(const std::string& line, const std::string& path, const 
   for (std::size_t i = 0; i < cells.size(); ++i) any_unit = any_unit || plain[i] != cells[i];
   for (const std::string& name : plain) {
     if (any_unit && has_brackets(name))
-      throw InputError(fmt::format(
-          "{}:1: column {} has an unknown unit; take the units out of the column names", path, shown(name)));
+      throw InputError(
+          at_line(path, 1, name),
+          fmt::format("column {} has an unknown unit; take the units out of the column names", shown(name)));
   }
   const auto is_time = [](const std::string& name) { return name == "time" || name == "Time"; };
   if (std::none_of(plain.begin(), plain.end(), is_time)) {

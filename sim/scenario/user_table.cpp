@@ -11,6 +11,7 @@
 
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 #include "sim/csv/csv_parts.hpp"
 #include "sim/csv/line_cells.hpp"
@@ -40,19 +41,21 @@ std::string with_commas(std::string_view text, const std::string& path, ColumnNa
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (++number == 1) separator = find_separator(line);
     if (line.find_first_not_of(" \t") == std::string_view::npos) {
-      if (number == 1) throw InputError(fmt::format("{}:1: the first line is empty; remove it", path));
+      if (number == 1) throw InputError(at_line(path, 1), "the first line is empty; remove it");
       if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) break;  // empty lines at the end
     }
     if (std::count(line.begin(), line.end(), separator) > kMostCells)
-      throw InputError(
-          fmt::format("{}:{}: more than {} cells in one line; is it a CSV file?", path, number, kMostCells));
+      throw InputError(at_line(path, number),
+                       fmt::format("more than {} cells in one line; is it a CSV file?", kMostCells));
     split_cells(line, separator, cells);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].find(',') != std::string_view::npos) {
-        throw InputError(fmt::format(
-            "{}:{}: the cell {} contains a comma, although the cells are separated by {}; write numbers with "
-            "a decimal point",
-            path, number, shown(std::string(cells[i])), separator_name(separator)));
+        throw InputError(
+            at_line(path, number),
+            fmt::format(
+                "the cell {} contains a comma, although the cells are separated by {}; write numbers with "
+                "a decimal point",
+                shown(std::string(cells[i])), separator_name(separator)));
       }
       result += i > 0 ? "," : "";
       result += cells[i];
@@ -102,10 +105,11 @@ ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std
   const std::size_t end = std::min(text.find('\n'), text.size());  // of the line of names
   if (has_no_names(text)) {
     if (file.columns.empty()) {
-      throw InputError(fmt::format(
-          "{}:1: the first line has numbers instead of column names; add a line of names, or name the "
-          "columns in the scenario: {}: {{file: {}, columns: [{}]}}",
-          path, key, yaml::quoted(std::filesystem::path(path).filename().string()), columns));
+      throw InputError(
+          at_line(path, 1),
+          fmt::format("the first line has numbers instead of column names; add a line of names, or name the "
+                      "columns in the scenario: {}: {{file: {}, columns: [{}]}}",
+                      key, yaml::quoted(std::filesystem::path(path).filename().string()), columns));
     }
     text = fmt::format("{}\n{}", fmt::join(file.columns, ","), text);
     name += " (with a line of names added)";

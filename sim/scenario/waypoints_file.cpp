@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 #include "core/trajectory/cubic_spline.hpp"
 #include "sim/csv/csv_table.hpp"
@@ -36,13 +37,14 @@ ParsedTable read_table(const UserTable& waypoints) {
   for (const std::string& column : table.header()) {
     if (column == "time" || is_one_of(kPlace, column) || is_one_of(kTurn, column)) continue;
     throw InputError(
-        fmt::format("{}: column {} is not one of time, x, y, z or, for the tool's orientation, qw, qx, qy, "
+        InputPlace{path},
+        fmt::format("column {} is not one of time, x, y, z or, for the tool's orientation, qw, qx, qy, "
                     "qz; take it out",
-                    path, shown(column)));
+                    shown(column)));
   }
   if (table.rows() > kMostWaypoints)
-    throw InputError(fmt::format("{}: {} rows; a path may have at most {}: use fewer rows", path,
-                                 table.rows(), kMostWaypoints));
+    throw InputError(InputPlace{path}, fmt::format("{} rows; a path may have at most {}: use fewer rows",
+                                                   table.rows(), kMostWaypoints));
   return named;
 }
 
@@ -75,10 +77,12 @@ PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {
   const std::string& path = named.name;
   for (const std::string& column : table.header()) {
     if (of_poses || !is_one_of(kTurn, column)) continue;
-    throw InputError(fmt::format(
-        "{}: column {} belongs to the tool's orientation; if this is the tool's path, give 'orientation: "
-        "{{waypoints: ...}}' with the same file, otherwise take the column out",
-        path, column));
+    throw InputError(
+        InputPlace{path},
+        fmt::format(
+            "column {} belongs to the tool's orientation; if this is the tool's path, give 'orientation: "
+            "{{waypoints: ...}}' with the same file, otherwise take the column out",
+            column));
   }
   const std::vector<double> time = rising_seconds(named, waypoints);
   std::vector<Vec3> positions;
@@ -88,10 +92,12 @@ PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {
   const auto knots = cubic_spline(time, positions);
   for (std::size_t k = 0; k < knots.size(); ++k) {
     if (knots[k].velocity.norm() <= kFastest && knots[k].acceleration.norm() <= kFastest) continue;
-    throw InputError(fmt::format(
-        "{}:{}: the path has {:.3g} m/s and {:.3g} m/s^2 here; at most {:.0e} of each is allowed: leave more "
-        "time between the rows",
-        path, line_of(k), knots[k].velocity.norm(), knots[k].acceleration.norm(), kFastest));
+    throw InputError(
+        at_line(path, line_of(k)),
+        fmt::format(
+            "the path has {:.3g} m/s and {:.3g} m/s^2 here; at most {:.0e} of each is allowed: leave more "
+            "time between the rows",
+            knots[k].velocity.norm(), knots[k].acceleration.norm(), kFastest));
   }
   return {time, knots, false};
 }
@@ -107,8 +113,8 @@ ToolOrientation load_orientations(const UserTable& waypoints) {
     const Eigen::Quaterniond q(row[0], row[1], row[2], row[3]);
     const double length = q.coeffs().stableNorm();
     if (!(std::abs(length - 1.0) <= kUnit)) {
-      throw InputError(fmt::format("{}:{}: the quaternion has length {:.6g}; it must have length 1", path,
-                                   line_of(orientations.size()), length));
+      throw InputError(at_line(path, line_of(orientations.size())),
+                       fmt::format("the quaternion has length {:.6g}; it must have length 1", length));
     }
     orientations.push_back(q.normalized());
   }
@@ -117,15 +123,18 @@ ToolOrientation load_orientations(const UserTable& waypoints) {
     const MotionPoint<Vec3>& knot = turning.turn->knots()[k];
     if (!(knot.position.norm() <= kMostTurn)) {
       throw InputError(
-          fmt::format("{}:{}: the tool has turned by {:.3g} rad since the first row; at most {:.3g} rad is "
+          at_line(path, line_of(k)),
+          fmt::format("the tool has turned by {:.3g} rad since the first row; at most {:.3g} rad is "
                       "allowed: turn it back in between",
-                      path, line_of(k), knot.position.norm(), kMostTurn));
+                      knot.position.norm(), kMostTurn));
     }
     if (!(knot.velocity.norm() <= kFastest && knot.acceleration.norm() <= kFastest)) {
-      throw InputError(fmt::format(
-          "{}:{}: the rotation has {:.3g} rad/s and {:.3g} rad/s^2 here; at most {:.0e} of each is allowed: "
-          "leave more time between the rows",
-          path, line_of(k), knot.velocity.norm(), knot.acceleration.norm(), kFastest));
+      throw InputError(
+          at_line(path, line_of(k)),
+          fmt::format(
+              "the rotation has {:.3g} rad/s and {:.3g} rad/s^2 here; at most {:.0e} of each is allowed: "
+              "leave more time between the rows",
+              knot.velocity.norm(), knot.acceleration.norm(), kFastest));
     }
   }
   return turning;

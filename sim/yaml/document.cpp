@@ -22,7 +22,8 @@ namespace {
 constexpr std::string_view kCoreTags = "tag:yaml.org,2002:";
 
 [[noreturn]] void fail_too_large(const std::string& file, std::size_t max_bytes) {
-  throw InputError(fmt::format("{}: larger than {} MB; expected a smaller file", file, max_bytes >> 20));
+  throw InputError(InputPlace{file},
+                   fmt::format("larger than {} MB; expected a smaller file", max_bytes >> 20));
 }
 
 }  // namespace
@@ -297,7 +298,7 @@ Node parse_text(const std::string& text, const std::string& file_name, std::size
   }
   std::optional<Node> root = builder.take_root();
   if (!root || root->kind() == Node::Kind::kNull) {
-    throw InputError(file_name + ": empty, or nothing but comments; expected a YAML document");
+    throw InputError(InputPlace{file_name}, "empty, or nothing but comments; expected a YAML document");
   }
   return std::move(*root);
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune::internal::yaml {
@@ -54,7 +55,7 @@ FileUnits read_file_units(const Node& node, const char* allowed) {
   return units;
 }
 
-bool check_unit(const std::string& unit, const FileUnits& units, const std::string& where) {
+bool check_unit(const std::string& unit, const FileUnits& units, const InputPlace& column) {
   const auto found =
       std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return unit == u.name; });
   if (found == kUnits.end()) return false;
@@ -64,10 +65,12 @@ bool check_unit(const std::string& unit, const FileUnits& units, const std::stri
                       : key == "angle"  ? units.angle
                                         : units.torque;
   if (said == found->factor) return true;
-  throw InputError(fmt::format(
-      "{} has the unit {}; declare this unit together with the file's name: {{file: ..., units: {{{}: "
-      "{}}}}}",
-      where, unit, found->key, unit));
+  throw InputError(
+      column,
+      fmt::format(
+          "column {} has the unit {}; declare this unit together with the file's name: {{file: ..., units: {{{}: "
+          "{}}}}}",
+          shown(column.key), unit, found->key, unit));
 }
 
 }  // namespace armtune::internal::yaml

@@ -2,6 +2,7 @@
 // Reads the units that a user declares for the numbers in a CSV file, such as {time: ms, length: mm}, and
 // converts them to factors to SI units.
 
+#include "armtune/error.hpp"
 #include "sim/yaml/document.hpp"
 
 namespace armtune::internal::yaml {
@@ -20,8 +21,8 @@ struct FileUnits {
 FileUnits read_file_units(const Node& node, const char* allowed);
 
 /// Compares the unit of a column with the declared ones. Returns true if `unit` agrees with `units`, and
-/// false if read_file_units does not accept `unit`. Throws InputError that begins with `where` if `unit`
+/// false if read_file_units does not accept `unit`. Throws InputError with the place `column` if `unit`
 /// contradicts `units`.
-bool check_unit(const std::string& unit, const FileUnits& units, const std::string& where);
+bool check_unit(const std::string& unit, const FileUnits& units, const InputPlace& column);
 
 }  // namespace armtune::internal::yaml

@@ -38,7 +38,7 @@ JointVector joint_values(const Node& node, const std::vector<std::string>& joint
     return read_values(node, joints);
   } catch (const InputError& error) {
     if (are_of(node, joints)) throw;
-    throw OtherJoints(error.what());
+    throw OtherJoints(error);
   }
 }
 

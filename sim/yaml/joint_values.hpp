@@ -10,7 +10,7 @@ namespace armtune::internal::yaml {
 /// An error for values that belong to other joints than the expected ones. The file may describe another arm.
 class OtherJoints : public InputError {
  public:
-  using InputError::InputError;
+  explicit OtherJoints(const InputError& error) : InputError(error) {}
 };
 
 /// Returns n numbers in joint order. Throws OtherJoints if a joint is missing or unknown, or the count is

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 
 namespace armtune::internal::yaml {
@@ -18,12 +19,12 @@ bool is_control(char c) {
 
 void fail_at(const std::string& file, int line, std::string_view key_path, std::string_view what) {
   const std::string key = key_path.empty() ? std::string() : fmt::format("key '{}': ", key_path);
-  throw InputError(fmt::format("{}:{}: {}{}", file, line, key, what));
+  throw InputError(at_line(file, line, std::string(key_path)), fmt::format("{}{}", key, what));
 }
 
 void check_characters(std::string_view text, const std::string& file) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    throw InputError(file + ": the text is UTF-16; save it as UTF-8");
+    throw InputError(InputPlace{file}, "the text is UTF-16; save it as UTF-8");
   }
   int line = 1;
   for (std::size_t begin = 0; begin < text.size();) {

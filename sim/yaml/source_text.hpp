@@ -6,7 +6,8 @@
 
 namespace armtune::internal::yaml {
 
-/// Throws InputError "FILE:LINE: key 'a/b': what", on one line. The key is left out if the path is empty.
+/// Throws InputError "FILE:LINE: key 'a/b': what", on one line, with this place. The key is left out if the
+/// path is empty.
 [[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path,
                           std::string_view what);
 

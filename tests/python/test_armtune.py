@@ -424,6 +424,14 @@ class Module(unittest.TestCase):
         broken["task_space_gains_p"][0] = float("nan")
         with self.assertRaisesRegex(armtune.InputError, "task_space_gains_p/x"):
             broken.text("ros1")
+        unknown = self.folder / "unknown.yaml"
+        unknown.write_text("base: moving_target\npath: {center: [1, 2]}\n")
+        with self.assertRaises(armtune.InputError) as caught:
+            armtune.load_scenario(unknown)
+        self.assertEqual((caught.exception.file, caught.exception.line, caught.exception.key), (str(unknown), 2, "path/center"))
+        with self.assertRaises(armtune.InputError) as caught:
+            armtune.load_scenario("moving_targt")
+        self.assertEqual((caught.exception.line, caught.exception.key), (None, None))
         for name in ("", "a,b", "../up", "=1"):
             with self.assertRaisesRegex(armtune.InputError, "name: "):
                 self.scenario.name = name

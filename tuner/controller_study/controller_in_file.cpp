@@ -73,8 +73,9 @@ ControllerInFile read_controller(const std::string& file, const std::string& nod
   const auto fields = searched_fields(read.gains);
   if (std::all_of(fields.begin(), fields.end(),
                   [&read](const GainField* field) { return values_of(read.gains, *field).isZero(0.0); }))
-    throw InputError(fmt::format("{}: every gain of {} that could be tuned is 0; give start gains above 0",
-                                 file, read.controller.name));
+    throw InputError(InputPlace{file},
+                     fmt::format("every gain of {} that could be tuned is 0; give start gains above 0",
+                                 read.controller.name));
   require_room(read);
   return read;
 }

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 
 namespace armtune::internal {
@@ -50,8 +51,9 @@ std::optional<double> controller_rate(const RosController& controller, const std
   if (rate == nullptr) return std::nullopt;
   const double hertz = number(*rate);
   if (hertz >= kSlowest && hertz <= kFastest) return hertz;
-  throw InputError(one_line(fmt::format("{}:{}: update_rate is {}; expected {:g} to {:g} Hz", file,
-                                        rate->line, shown(rate->text), kSlowest, kFastest)));
+  throw InputError(
+      at_line(file, rate->line, "update_rate"),
+      fmt::format("update_rate is {}; expected {:g} to {:g} Hz", shown(rate->text), kSlowest, kFastest));
 }
 
 }  // namespace armtune::internal

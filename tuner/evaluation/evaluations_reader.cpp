@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 
 namespace armtune::internal {
@@ -13,16 +14,18 @@ namespace {
 std::size_t column(const CsvTable& table, const std::string& name, const Study& study) {
   if (const auto found = table.find(name)) return *found;
   throw InputError(
-      fmt::format("{}:1: there is no column '{}', but the evaluations of {} have one; give the evaluations "
+      at_line(table.name(), 1, name),
+      fmt::format("there is no column '{}', but the evaluations of {} have one; give the evaluations "
                   "file of this study",
-                  table.name(), name, study.source));
+                  name, study.source));
 }
 
 double finite(const CsvTable& table, std::size_t row, std::size_t column) {
   const double value = table.number(row, column);
   if (std::isfinite(value)) return value;
   const std::string text = table.text(row, column);
-  throw InputError(fmt::format("{}:{}: {} in column {} is not a finite number", table.name(), row + 2,
+  throw InputError(at_line(table.name(), row + 2, table.header()[column]),
+                   fmt::format("{} in column {} is not a finite number",
                                text.empty() ? "an empty cell" : shown(text), table.header()[column]));
 }
 

@@ -28,13 +28,15 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   if (!record) return std::nullopt;
   if (record->x != candidate.x || record->phase != candidate.phase ||
       record->results.size() != results_per_evaluation(study_)) {
-    throw InputError(fmt::format(
-        "{}: the search cannot be resumed, because evaluation {} {}; the study's file was "
-        "changed, or the run was started with another program. Start the run again",
-        study_.source, number,
-        record->phase == candidate.phase
-            ? std::string("differs from the journal")
-            : fmt::format("has phase {}, but phase {} in the journal", candidate.phase, record->phase)));
+    throw InputError(
+        InputPlace{study_.source},
+        fmt::format(
+            "the search cannot be resumed, because evaluation {} {}; the study's file was "
+            "changed, or the run was started with another program. Start the run again",
+            number,
+            record->phase == candidate.phase
+                ? std::string("differs from the journal")
+                : fmt::format("has phase {}, but phase {} in the journal", candidate.phase, record->phase)));
   }
   Evaluation e;
   e.x = candidate.x;

@@ -24,7 +24,7 @@ Front front(const Study& study, const std::vector<std::string>& criteria, const 
   internal::FrontSession session(study.inside(), settings, context_of(options.watch), observer);
   const internal::FrontOutcome outcome = session.run(alone).value();
   if (outcome.was_finished)
-    throw InputError(options.folder + ": this run is finished; there is nothing to resume");
+    throw InputError(InputPlace{options.folder}, "this run is finished; there is nothing to resume");
 
   const Gains start = study.start();
   const auto point_of = [&](const internal::ParetoPoint& point) {

@@ -41,9 +41,11 @@ KeptInputs::KeptInputs(const std::string& folder, const std::vector<std::shared_
   if (folder.empty()) return;
   for (const auto& some : files) {
     if (some == nullptr) {
-      throw InputError(fmt::format(
-          "{}: no file matches {}, so this folder cannot keep a copy of the input; run without a folder",
-          folder, what));
+      throw InputError(
+          InputPlace{folder},
+          fmt::format(
+              "no file matches {}, so this folder cannot keep a copy of the input; run without a folder",
+              what));
     }
   }
   alone_ = std::unique_lock(one_at_a_time());
@@ -52,8 +54,7 @@ KeptInputs::KeptInputs(const std::string& folder, const std::vector<std::shared_
     for (const auto& [path, hash] : *some) {
       internal::read_input_file(path, std::size_t{1} << 30U, "an input");
       if (internal::hash_of_input(path) != hash) {
-        throw InputError(
-            fmt::format("{}: has changed since it was read; load the study or scenario again", path));
+        throw InputError(InputPlace{path}, "has changed since it was read; load the study or scenario again");
       }
     }
   }

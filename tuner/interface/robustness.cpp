@@ -71,7 +71,7 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
   internal::MonteCarloSession session(std::move(settings), context_of(options.watch), observer);
   const internal::MonteCarloOutcome outcome = session.run(alone).value();
   if (outcome.was_finished)
-    throw InputError(options.folder + ": this run is finished; there is nothing to resume");
+    throw InputError(InputPlace{options.folder}, "this run is finished; there is nothing to resume");
 
   Robustness found;
   found.verdict = outcome.verdict;

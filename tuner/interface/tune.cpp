@@ -44,7 +44,7 @@ Tuned tune(const Study& study, const TuneOptions& options) {
   internal::TuneSession session(study.inside(), settings, context_of(options.watch), observer);
   const internal::TuneOutcome outcome = session.run(alone).value();
   if (outcome.was_finished)
-    throw InputError(options.folder + ": this run is finished; there is nothing to resume");
+    throw InputError(InputPlace{options.folder}, "this run is finished; there is nothing to resume");
 
   const Gains start = study.start();
   const internal::TuneResult& result = outcome.result;

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 #include "tuner/journal/journal_lines.hpp"
 #include "tuner/run/input_copies.hpp"
@@ -58,19 +59,19 @@ RunHeader read_header(JournalLines& lines, const std::string& path) {
   while (lines.next()) {
     const auto payload = lines.payload();
     if (!payload && first)
-      throw InputError(path + ": this is not an armtune journal, or its start is damaged");
+      throw InputError(InputPlace{path}, "this is not an armtune journal, or its start is damaged");
     if (!payload) {
-      throw InputError(
-          fmt::format("{}:{}: the header of the journal is damaged, so the run cannot be resumed; start it "
-                      "again",
-                      path, lines.number()));
+      throw InputError(at_line(path, lines.number()),
+                       "the header of the journal is damaged, so the run cannot be resumed; start it "
+                       "again");
     }
     std::string_view rest = *payload;
     const std::string_view kind = first_word(rest);
     if (first) {
       if (*payload != kFormat) {
         throw InputError(
-            fmt::format("{}: the format is {}, not '{}'; another version of armtune wrote this journal", path,
+            InputPlace{path},
+            fmt::format("the format is {}, not '{}'; another version of armtune wrote this journal",
                         shown(*payload), kFormat));
       }
       first = false;
@@ -85,10 +86,9 @@ RunHeader read_header(JournalLines& lines, const std::string& path) {
       header.identity.emplace_back(name, unescaped(rest));
     }
   }
-  throw InputError(
-      path +
-      ": the header is incomplete, because the run was killed at its start; delete the folder and "
-      "start the run again");
+  throw InputError(InputPlace{path},
+                   "the header is incomplete, because the run was killed at its start; delete the folder and "
+                   "start the run again");
 }
 
 }  // namespace
@@ -137,18 +137,20 @@ std::string Journal::read(const RunHeader& now) {
       differences(was, now, [&folder](const std::string& hash) { return copy_of_hash(folder, hash); });
   if (!other.empty()) {
     throw InputError(
-        fmt::format("{}: the run cannot be resumed, because its inputs have changed: {}. Restore them{}, or "
+        InputPlace{path_},
+        fmt::format("the run cannot be resumed, because its inputs have changed: {}. Restore them{}, or "
                     "start a new run with --out",
-                    path_, other, where_copies_are(folder)));
+                    other, where_copies_are(folder)));
   }
   long damaged = 0;  // number of the first damaged line, none yet
   long damaged_place = 0;
   long records = 0;
   const auto refuse = [&](const std::string& what) {
     throw InputError(
-        fmt::format("{}:{}: record {} {}. A kill is not the cause, because it damages only the last record. "
+        at_line(path_, damaged),
+        fmt::format("record {} {}. A kill is not the cause, because it damages only the last record. "
                     "Restore the file from a backup, or start the run again",
-                    path_, damaged, records, what));
+                    records, what));
   };
   while (lines.next()) {
     if (damaged != 0) refuse("is damaged (its checksum is wrong)");
@@ -161,8 +163,9 @@ std::string Journal::read(const RunHeader& now) {
     try {
       take(*payload, lines.place());
     } catch (const std::invalid_argument& e) {
-      throw InputError(fmt::format("{}:{}: record {}: {}; another version of armtune wrote this record",
-                                   path_, lines.number(), records, e.what()));
+      throw InputError(
+          at_line(path_, lines.number()),
+          fmt::format("record {}: {}; another version of armtune wrote this record", records, e.what()));
     }
     ++records;
   }
@@ -207,7 +210,7 @@ std::optional<JournalRecord> Journal::find(std::uint64_t number) const {
   std::string line;
   std::getline(file, line);
   const auto payload = file.eof() ? std::nullopt : payload_of(line);
-  if (!payload) throw InputError(fmt::format("{}: the file was changed during the run", path_));
+  if (!payload) throw InputError(InputPlace{path_}, "the file was changed during the run");
   std::string_view rest = *payload;
   first_word(rest);
   return record_from_line(rest);

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/path_state.hpp"
 #include "tuner/run/file_hash.hpp"
 
@@ -38,9 +39,9 @@ JournalLines::JournalLines(const std::string& path) : path_(path), file_(path, s
   if (!file_) {
     const int reason = errno;
     if (is_there(path))
-      throw InputError(
-          fmt::format("{}: cannot be opened: {}", path, std::generic_category().message(reason)));
-    throw InputError(path + ": cannot be read, so there is no run to resume; start the run again");
+      throw InputError(InputPlace{path},
+                       fmt::format("cannot be opened: {}", std::generic_category().message(reason)));
+    throw InputError(InputPlace{path}, "cannot be read, so there is no run to resume; start the run again");
   }
 }
 
@@ -51,7 +52,7 @@ bool JournalLines::next() {
   try {
     read_line();
   } catch (const std::ios_base::failure& e) {
-    throw InputError(fmt::format("{}: cannot be read: {}", path_, e.what()));
+    throw InputError(InputPlace{path_}, fmt::format("cannot be read: {}", e.what()));
   }
   if (!whole_ && line_.empty()) return false;
   ++number_;
@@ -72,9 +73,10 @@ void JournalLines::read_line() {
     }
     if (line_.size() == kMaxLine) {
       throw InputError(
-          fmt::format("{}:{}: this line has more than {} MB; the file is not an armtune journal, or it is "
+          at_line(path_, number_ + 1),
+          fmt::format("this line has more than {} MB; the file is not an armtune journal, or it is "
                       "damaged",
-                      path_, number_ + 1, kMaxLine >> 20));
+                      kMaxLine >> 20));
     }
     line_ += static_cast<char>(byte);
   }

@@ -82,13 +82,15 @@ void require_recording_memory(const std::vector<Scenario>& scenarios, int stride
       bytes.size() > 1
           ? fmt::format(", and the recordings in memory at the same time take {:.3g} GB", all / kGigabyte)
           : std::string();
-  throw InputError(fmt::format(
-      "{}: the recording of {} takes {:.3g} GB ({:.3g} s, {:.3g} rows){}, but this process may use only "
-      "{:.3g} GB. Shorten 'duration'{}, or record only one in {:.0f} control periods (--record-every if the "
-      "command has it, record_every in Python)",
-      scenario.source, scenario.name, largest / kGigabyte, scenario.duration, rows(scenario, stride), others,
-      usable / kGigabyte, bytes.size() > 1 && use == RecordingUse::kWritten ? ", use fewer workers" : "",
-      std::ceil(stride * all / usable)));
+  throw InputError(
+      InputPlace{scenario.source},
+      fmt::format(
+          "the recording of {} takes {:.3g} GB ({:.3g} s, {:.3g} rows){}, but this process may use only "
+          "{:.3g} GB. Shorten 'duration'{}, or record only one in {:.0f} control periods (--record-every if the "
+          "command has it, record_every in Python)",
+          scenario.name, largest / kGigabyte, scenario.duration, rows(scenario, stride), others,
+          usable / kGigabyte, bytes.size() > 1 && use == RecordingUse::kWritten ? ", use fewer workers" : "",
+          std::ceil(stride * all / usable)));
 }
 
 }  // namespace armtune::internal

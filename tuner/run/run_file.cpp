@@ -20,18 +20,18 @@ bool leads_out(const std::string& name) {
 }
 
 [[noreturn]] void refuse_link(const fs::path& path) {
-  throw InputError(fmt::format(
-      "{}: this is a symbolic link, which armtune does not follow inside a run's folder; put the file itself "
-      "there",
-      path.string()));
+  throw InputError(
+      InputPlace{path.string()},
+      "this is a symbolic link, which armtune does not follow inside a run's folder; put the file itself "
+      "there");
 }
 
 }  // namespace
 
 std::optional<std::string> find_run_file(const std::string& folder, const std::string& name) {
   if (leads_out(name)) {
-    throw InputError(
-        fmt::format("{}: the name {} leads out of this folder; expected a file in it", folder, shown(name)));
+    throw InputError(InputPlace{folder},
+                     fmt::format("the name {} leads out of this folder; expected a file in it", shown(name)));
   }
   fs::path path = folder;
   fs::file_status status(fs::file_type::directory);
@@ -41,12 +41,14 @@ std::optional<std::string> find_run_file(const std::string& folder, const std::s
     std::error_code error;
     status = fs::symlink_status(path, error);
     if (status.type() == fs::file_type::not_found) return std::nullopt;
-    if (error) throw InputError(fmt::format("{}: cannot be accessed: {}", path.string(), error.message()));
+    if (error)
+      throw InputError(InputPlace{path.string()}, fmt::format("cannot be accessed: {}", error.message()));
     if (status.type() == fs::file_type::symlink) refuse_link(path);
   }
   if (status.type() == fs::file_type::regular) return path.string();
   throw InputError(
-      fmt::format("{}: is {}; expected a file", path.string(),
+      InputPlace{path.string()},
+      fmt::format("is {}; expected a file",
                   status.type() == fs::file_type::directory ? "a folder" : "a pipe, a device or similar"));
 }
 
@@ -61,7 +63,8 @@ void refuse_links(const std::string& folder) {
     if (at->symlink_status(error).type() == fs::file_type::symlink) refuse_link(at->path());
     if (error) break;
   }
-  if (error) throw InputError(fmt::format("{}: cannot list this folder: {}", folder, error.message()));
+  if (error)
+    throw InputError(InputPlace{folder}, fmt::format("cannot list this folder: {}", error.message()));
 }
 
 }  // namespace armtune::internal

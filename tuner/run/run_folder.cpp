@@ -54,14 +54,15 @@ void refuse_unusable_path(const std::string& folder) {
   // Below it stand "rollouts_<label>/rollout_<scenario>.csv.partial" and shorter ones.
   constexpr std::size_t kBelow = 2 * kLongestName + 40;
   if (folder.size() + kBelow > PATH_MAX) {
-    throw InputError(fmt::format("{}: the path has {} bytes; choose a path of at most {} bytes", folder,
-                                 folder.size(), PATH_MAX - kBelow));
+    throw InputError(InputPlace{folder},
+                     fmt::format("the path has {} bytes; choose a path of at most {} bytes", folder.size(),
+                                 PATH_MAX - kBelow));
   }
   if (!is_printable(folder)) {
-    throw InputError(fmt::format(
-        "{}: the path contains a control character, a line separator or a byte that is not UTF-8, which "
-        "result files cannot hold; choose another folder",
-        folder));
+    throw InputError(
+        InputPlace{folder},
+        "the path contains a control character, a line separator or a byte that is not UTF-8, which "
+        "result files cannot hold; choose another folder");
   }
 }
 
@@ -69,8 +70,8 @@ void refuse_unusable_path(const std::string& folder) {
 
 void refuse_used_folder(const std::string& folder) {
   if (is_missing_or_empty(folder)) return;
-  throw InputError(fmt::format(
-      "{}: this folder exists and is not empty; name another folder with --out, or delete this one", folder));
+  throw InputError(InputPlace{folder},
+                   "this folder exists and is not empty; name another folder with --out, or delete this one");
 }
 
 FolderLock::~FolderLock() {
@@ -96,14 +97,15 @@ FolderLock make_run_folder(const std::string& folder) {
   };
   if (descriptor < 0) {
     take_away();
-    throw InputError(fmt::format("{}: cannot open this folder: {}; name another one with --out", folder,
+    throw InputError(InputPlace{folder},
+                     fmt::format("cannot open this folder: {}; name another one with --out",
                                  std::generic_category().message(reason)));
   }
   FolderLock lock(descriptor);
   // Where a file system locks no folders, what is in it has to do.
   if (!lock.take() && errno == EWOULDBLOCK) {
-    throw InputError(fmt::format(
-        "{}: another run is about to write into this folder; name another folder with --out", folder));
+    throw InputError(InputPlace{folder},
+                     "another run is about to write into this folder; name another folder with --out");
   }
   try {
     refuse_used_folder(folder);  // by one that has ended meanwhile

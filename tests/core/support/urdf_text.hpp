@@ -12,6 +12,7 @@
 
 #include "armtune/error.hpp"
 #include "core/robot/urdf_reader.hpp"
+#include "tests/core/support/error_place.hpp"
 
 namespace armtune::internal::test {
 
@@ -62,6 +63,8 @@ class UrdfFiles : public testing::Test {
       read_urdf(path, options);
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr(path));
+      EXPECT_EQ(error.place().file, path) << error.what();
+      expect_place(error);
       EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("\n")));
       return error.what();
     }

@@ -76,6 +76,17 @@ TEST(CsvTable, RefusesAQuoteThatIsNeverClosed) {
               HasSubstr("t.csv:3: the quote"));
 }
 
+TEST(CsvTable, ErrorsHaveFileLineAndColumnAsFields) {
+  try {
+    CsvTable::parse("a,b\n1,2\n1,x7\n", "t.csv").numbers(1);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().file, "t.csv");
+    EXPECT_EQ(error.place().line, 3);
+    EXPECT_EQ(error.place().key, "b");
+  }
+}
+
 TEST(CsvTable, RefusesTwoColumnsOfOneNameAndTooMany) {
   EXPECT_THAT(refusal([] { CsvTable::parse("a,b,a\n1,2,3\n", "t.csv"); }),
               HasSubstr("t.csv:1: two columns are called 'a'"));

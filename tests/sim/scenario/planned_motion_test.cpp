@@ -95,7 +95,7 @@ TEST_F(PlannedMotion, OfWaypointsGoesThroughThemAtRestAtBothEnds) {
   far.replace(far.find("0.1,0.2,0.3"), 11, "0.1,0.2,3.1");
   far.replace(far.find("11,0.5,0,0"), 10, "9.4,0.5,0,3.1");
   EXPECT_THAT(refusal([&] { load(write(far)); }),
-              AllOf(HasSubstr("plan.csv:3, between this point and the next"), HasSubstr("elbow_joint"),
+              AllOf(HasSubstr("plan.csv:3: between this point and the next"), HasSubstr("elbow_joint"),
                     HasSubstr("3.14159")));
   // A velocity for one joint alone is a plan with columns missing.
   const std::string one_velocity =
@@ -183,7 +183,7 @@ TEST_F(PlannedMotion, AMessageOfRosIsOne) {
                     "- {positions: [1, 0, 3.0, 0, 0, 0], velocities: [0, 0, -9, 0, 0, 0], "
                     "time_from_start: 2}\n");
   EXPECT_THAT(refusal([&] { scenario("planned: moves.yaml\nduration: planned\n"); }),
-              AllOf(HasSubstr("moves.yaml:3, between this point and the next"), HasSubstr("elbow_joint")));
+              AllOf(HasSubstr("moves.yaml:3: between this point and the next"), HasSubstr("elbow_joint")));
 }
 
 TEST_F(PlannedMotion, OfAMessageTheUnitsAreKnown) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "armtune/error.hpp"
+#include "tests/core/support/error_place.hpp"
 
 namespace armtune::internal::test {
 
@@ -57,6 +58,7 @@ std::string refusal(Action&& action) {
     action();
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    expect_place(error);
     return error.what();
   }
   return "nothing was refused";

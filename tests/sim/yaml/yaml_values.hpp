@@ -13,6 +13,7 @@
 
 #include "armtune/error.hpp"
 #include "sim/yaml/document.hpp"
+#include "tests/core/support/error_place.hpp"
 
 namespace armtune::internal::yaml::test {
 
@@ -20,6 +21,8 @@ inline std::string error_of(const std::function<void()>& action) {
   try {
     action();
   } catch (const InputError& error) {
+    internal::test::expect_place(error);
+    EXPECT_NE(error.place().file, "") << error.what();
     return error.what();
   }
   return "no error";
