@@ -38,7 +38,7 @@ class Checker {
   void require(bool holds, fmt::format_string<Args...> text, Args&&... args) const {
     if (holds) return;
     const std::string& where = model_.source.empty() ? model_.name : model_.source;
-    throw InputError(where + ": " + fmt::format(text, std::forward<Args>(args)...));
+    throw InputError(InputPlace{where}, fmt::format(text, std::forward<Args>(args)...));
   }
   void name(const char* kind, const std::string& name) const;
   void characters(const char* kind, const std::string& name) const;
@@ -171,6 +171,9 @@ void Checker::joint(int i) const {
           "joint '{}': effort limit is {} {}; it must be finite and > 0: give it in the URDF, or by 'limits' "
           "in a robot YAML",
           joint, limits.effort, revolute ? "N m" : "N");
+  require(limits.acceleration > 0.0,
+          "joint '{}': acceleration limit is {} {}/s^2; it must be > 0: correct 'limits' in the robot YAML",
+          joint, limits.acceleration, unit);
   const auto not_negative = [&](const char* what, double value) {
     require(std::isfinite(value) && value >= 0.0, "joint '{}': {} is {}; it must be finite and 0 or more",
             joint, what, value);
@@ -201,6 +204,12 @@ JointVector RobotModel::velocity_limits() const {
 JointVector RobotModel::effort_limits() const {
   JointVector limits(n());
   for (int i = 0; i < n(); ++i) limits[i] = joints[static_cast<std::size_t>(i)].limits.effort;
+  return limits;
+}
+
+JointVector RobotModel::acceleration_limits() const {
+  JointVector limits(n());
+  for (int i = 0; i < n(); ++i) limits[i] = joints[static_cast<std::size_t>(i)].limits.acceleration;
   return limits;
 }
 

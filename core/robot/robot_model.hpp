@@ -2,6 +2,7 @@
 // The model of a robot arm: its chain of joints and links, their names and their limits. It does not change
 // after construction, so that all threads can share it.
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct JointLimits {
   double velocity = 0.0;  ///< largest |q'| [rad/s, m/s]
   double effort = 0.0;    ///< largest |tau| [N m, N]
   bool soft = false;      ///< true if lower or upper is a limit of the URDF's safety controller
+  /// largest |q''| [rad/s^2, m/s^2]; infinite if the robot file gives none
+  double acceleration = std::numeric_limits<double>::infinity();
 };
 
 struct JointInfo {
@@ -51,6 +54,8 @@ struct RobotModel {
   int joint_index(const std::string& joint) const;
   JointVector velocity_limits() const;
   JointVector effort_limits() const;
+  /// Returns the acceleration limits (n) [rad/s^2, m/s^2]; infinite for joints without one.
+  JointVector acceleration_limits() const;
   /// Returns the position limits; infinite for joints without them.
   JointVector lower_limits() const;
   JointVector upper_limits() const;

@@ -54,7 +54,7 @@ class ArmBuilder {
  private:
   template <typename... Args>
   [[noreturn]] void refuse(fmt::format_string<Args...> text, Args&&... args) const {
-    throw InputError(model_.source + ": " + fmt::format(text, std::forward<Args>(args)...));
+    throw InputError(InputPlace{model_.source}, "" + fmt::format(text, std::forward<Args>(args)...));
   }
 
   /// Orientation of the base link's frame in the root link's.
@@ -135,10 +135,10 @@ class ArmBuilder {
     for (const auto& [name, limits] : options_.limits) {
       if (!options_.held.contains(name)) {
         if (!moves(name)) refuse("limits: joint '{}' is not a moving joint of this arm; leave it out", name);
-      } else if (limits.velocity || limits.effort) {
+      } else if (limits.velocity || limits.effort || limits.acceleration) {
         refuse(
-            "limits: joint '{}' is fixed by 'hold', so only lower and upper are used; leave out velocity and "
-            "effort",
+            "limits: joint '{}' is fixed by 'hold', so only lower and upper are used; leave out velocity, "
+            "effort and acceleration",
             name);
       }
     }

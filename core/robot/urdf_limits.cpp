@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "armtune/error.hpp"
@@ -12,15 +13,18 @@ namespace armtune::internal {
 JointLimits limits_of(const UrdfJoint& joint, const UrdfOptions& options, const std::string& source,
                       MissingData* missing) {
   const auto found = options.limits.find(joint.name);
-  const GivenLimits given = found == options.limits.end() ? GivenLimits{} : found->second;
+  const GivenLimits none;
+  const GivenLimits& given = found == options.limits.end() ? none : found->second;
   const bool turns_freely = joint.motion == UrdfMotion::kContinuous && !given.lower && !given.upper;
   const auto range = position_range(joint, options);
   const bool lacks_position = !range && !turns_freely;
   if (missing == nullptr && lacks_position)
-    throw InputError(fmt::format(
-        "{}: joint '{}': its lower and upper position limits are missing or the same; give both in the URDF "
-        "or by 'limits' in a robot YAML",
-        source, joint.name));
+    throw InputError(
+        InputPlace{source},
+        fmt::format(
+            "joint '{}': its lower and upper position limits are missing or the same; give both in the URDF "
+            "or by 'limits' in a robot YAML",
+            joint.name));
   const UrdfJoint::Limits file = joint.limits.value_or(UrdfJoint::Limits{});
   const auto [lower, upper] = range.value_or(std::pair(0.0, 0.0));
   JointLimits limits{range.has_value(),
@@ -28,7 +32,8 @@ JointLimits limits_of(const UrdfJoint& joint, const UrdfOptions& options, const 
                      upper,
                      given.velocity.value_or(file.velocity),
                      given.effort.value_or(file.effort),
-                     file.soft && !(given.lower && given.upper)};
+                     file.soft && !(given.lower && given.upper),
+                     given.acceleration.value_or(std::numeric_limits<double>::infinity())};
   if (missing != nullptr) {
     if (lacks_position) {
       missing->position.push_back(joint.name);

@@ -11,10 +11,10 @@
 
 namespace armtune::internal {
 
-/// Limits of a joint [rad, m, rad/s, m/s, N m, N]. They replace those of the file, or add limits that the
-/// file lacks.
+/// Limits of a joint [rad, m, rad/s, m/s, N m, N, rad/s^2, m/s^2]. They replace those of the file, or add
+/// limits that the file lacks.
 struct GivenLimits {
-  std::optional<double> lower, upper, velocity, effort;
+  std::optional<double> lower, upper, velocity, effort, acceleration = {};
 };
 
 /// An inertia that replaces a link's inertial element, in the link's frame.

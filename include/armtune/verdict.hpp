@@ -13,6 +13,7 @@ enum class CheckKind {
   kVelocityLimit,  ///< the arm's own limits
   kPositionLimit,
   kEffortLimit,
+  kAccelerationLimit,
   kContact,      ///< tool and joint origins (or links) stay outside every obstacle
   kSelf,         ///< links that are not neighbours do not touch each other
   kCell,         ///< the arm touches no part of its cell

@@ -64,13 +64,16 @@ MetricAccumulator::MetricAccumulator(const RobotModel& model, double threshold, 
     : model_(model),
       per_velocity_limit_(model.velocity_limits().cwiseInverse()),
       per_effort_limit_(model.effort_limits().cwiseInverse()),
+      per_acceleration_limit_(model.acceleration_limits().cwiseInverse()),
       lower_limits_(model.lower_limits()),
       upper_limits_(model.upper_limits()),
       threshold_(threshold),
       period_(period),
       min_margin_(kInfinity),
       min_clearance_(kInfinity),
-      last_torque_(JointVector::Zero(model.n())) {}
+      last_torque_(JointVector::Zero(model.n())),
+      last_velocity_(JointVector::Zero(model.n())),
+      last_acceleration_(JointVector::Zero(model.n())) {}
 
 void MetricAccumulator::add(const Observation& o) {
   if (o.control->state != state_) {
@@ -134,6 +137,23 @@ void MetricAccumulator::add_limits(const Observation& o) {
   if (o.cell != nullptr) least_ = o.cell->least();
   if (!first_) effort_rate_.add((o.control->torque - last_torque_).norm() / period_);
   last_torque_ = o.control->torque;
+  add_acceleration(*o.qd);
+}
+
+void MetricAccumulator::add_acceleration(const JointVector& velocity) {
+  // Two periods give an acceleration, three a jerk.
+  for (Eigen::Index i = 0; i < velocity.size(); ++i) {
+    const double acceleration = (velocity[i] - last_velocity_[i]) / period_;
+    if (periods_ > 0) {
+      acceleration_.add(acceleration);
+      if (per_acceleration_limit_[i] > 0.0)
+        acceleration_ratio_.add(acceleration * per_acceleration_limit_[i]);
+    }
+    if (periods_ > 1) jerk_.add((acceleration - last_acceleration_[i]) / period_);
+    last_acceleration_[i] = acceleration;
+    last_velocity_[i] = velocity[i];
+  }
+  ++periods_;
 }
 
 double MetricAccumulator::so_far(Metric m) const {
@@ -173,6 +193,12 @@ double MetricAccumulator::so_far(Metric m) const {
       return first_ || max_effort_ratio_ == kInfinity ? NAN : max_effort_ratio_;
     case Metric::kJointEffortSaturatedPeriods:
       return first_ ? NAN : static_cast<double>(saturated_periods_);
+    case Metric::kJointAccelerationMax:
+      return acceleration_.max();
+    case Metric::kJointAccelerationMaxRatio:
+      return acceleration_ratio_.max();
+    case Metric::kJointJerkMax:
+      return jerk_.max();
     case Metric::kJointErrorMax:
       return joint_error_.max();
     case Metric::kObstacleMinClearance:

@@ -76,10 +76,12 @@ class MetricAccumulator {
   void add_gaze(const Observation& o, bool switched);
   void add_tracking(const Observation& o);
   void add_limits(const Observation& o);
+  void add_acceleration(const JointVector& velocity);
 
   const RobotModel& model_;
   JointVector per_velocity_limit_;
   JointVector per_effort_limit_;
+  JointVector per_acceleration_limit_;  ///< 0 for joints without a limit
   JointVector lower_limits_;
   JointVector upper_limits_;
   double threshold_;
@@ -88,6 +90,7 @@ class MetricAccumulator {
   ControlState state_ = ControlState::kLeaveSingularity;
   double entered_ = 0.0;
   bool first_ = true;
+  long periods_ = 0;
   bool aims_ = true;          ///< the gaze is at a target
   bool from_before_ = false;  ///< target_ is known before the first period
   std::size_t target_ = 0;
@@ -107,6 +110,9 @@ class MetricAccumulator {
   double min_clearance_;
   LeastClearances least_;
   JointVector last_torque_;
+  JointVector last_velocity_;
+  JointVector last_acceleration_;
+  Spread acceleration_, acceleration_ratio_, jerk_;
 };
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// The frequency response of a control loop at the harmonics of a base period. The order of a harmonic is its
-// number of cycles in one base period. Each harmonic has its own Fourier sums of reference and response.
+// The frequency response of a control loop at the harmonics of a base frequency. The order of a harmonic is
+// its number of cycles in one base period. Each harmonic has its own Fourier sums of reference and response.
 
 #include <complex>
 #include <vector>

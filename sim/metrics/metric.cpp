@@ -34,11 +34,11 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"error/linear_velocity/rms", "m/s", kLess, kEitherWay, "RMS linear velocity error",
        "RMS of |v - vd| of the tool while tracking"},
       {"error/linear_velocity/max", "m/s", kLess, kOnlyWorsens, "largest linear velocity error",
-       "largest |v - vd| of the tool while tracking"},
+       "largest |v - vd| while tracking: velocity of the tool minus the desired one"},
       {"error/angular_velocity/rms", "rad/s", kLess, kEitherWay, "RMS angular velocity error",
-       "RMS of |w - wd| of the tool while tracking"},
+       "RMS of |w - wd| while tracking: angular velocity of the tool minus the desired one"},
       {"error/angular_velocity/max", "rad/s", kLess, kOnlyWorsens, "largest angular velocity error",
-       "largest |w - wd| of the tool while tracking"},
+       "largest |w - wd| while tracking: angular velocity of the tool minus the desired one"},
       {"samples", "1", kMore, kEitherWay, "tracked periods",
        "number of control periods in which tracking errors count: the state has been followTrajectory for at "
        "least 1 s, and no slerp (rotation of the tool to another target) is under way"},
@@ -69,6 +69,16 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
        "largest ratio of a joint's commanded |torque| to its limit, before saturation"},
       {"joint_effort/saturated_periods", "1", kLess, kOnlyWorsens, "periods with a saturated joint",
        "number of control periods in which the commanded torque of a joint exceeded its effort limit"},
+      {"joint_acceleration/max", "rad/s^2", kLess, kOnlyWorsens, "largest joint acceleration",
+       "largest |acceleration| of any joint, at any time: change of its velocity in a control period, divided "
+       "by the period; m/s^2 for prismatic joints"},
+      {"joint_acceleration/max_ratio", "1", kLess, kOnlyWorsens,
+       "largest joint acceleration relative to its limit",
+       "largest ratio of a joint's |acceleration| to its limit, of all joints with an acceleration limit in the "
+       "robot file, at any time; empty if no joint has one"},
+      {"joint_jerk/max", "rad/s^3", kLess, kOnlyWorsens, "largest joint jerk",
+       "largest |jerk| of any joint, at any time: change of its acceleration from one control period to the "
+       "next, divided by the period; m/s^3 for prismatic joints"},
       {"joint_error/rms", "rad", kLess, kEitherWay, "RMS joint error",
        "RMS difference between actual and planned joint positions, over joints and time, while a planned "
        "trajectory is followed; empty without one"},

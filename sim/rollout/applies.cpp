@@ -1,6 +1,7 @@
 #include "sim/rollout/applies.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace armtune::internal {
 namespace {
@@ -8,6 +9,11 @@ namespace {
 bool has_position_limits(const RobotModel& robot) {
   return std::any_of(robot.joints.begin(), robot.joints.end(),
                      [](const JointInfo& joint) { return joint.limits.has_position; });
+}
+
+bool has_acceleration_limits(const RobotModel& robot) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(),
+                     [](const JointInfo& joint) { return std::isfinite(joint.limits.acceleration); });
 }
 
 }  // namespace
@@ -25,6 +31,8 @@ bool applies(Metric metric, const Scenario& scenario) {
       return scenario.clearance && scenario.clearance->has(Clearance::kFloor);
     case Metric::kJointPositionMinMargin:
       return has_position_limits(*scenario.robot);
+    case Metric::kJointAccelerationMaxRatio:
+      return has_acceleration_limits(*scenario.robot);
     case Metric::kGazeRms:
     case Metric::kGazeMax:
     case Metric::kGazeRateErrorRms:

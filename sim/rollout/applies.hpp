@@ -10,7 +10,8 @@ namespace armtune::internal {
 /// Returns true if the metric applies to the scenario. It returns false for:
 ///   - the obstacle clearance if there are no obstacles, and any other clearance if there are no pairs of
 ///     bodies of that kind,
-///   - the position margin if no joint has position limits,
+///   - the position margin if no joint has position limits, and the ratio of the acceleration to its limit if
+///     no joint has an acceleration limit,
 ///   - the gaze metrics if the tool does not aim at anything, and the reacquisition time if the target never
 ///     switches,
 ///   - a response metric if the scenario does not have the stimulus that it belongs to,

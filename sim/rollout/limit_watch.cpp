@@ -17,6 +17,8 @@ const char* unit(JointLimit limit, bool turning) {
       return turning ? "rad" : "m";
     case JointLimit::kEffort:
       return turning ? "N m" : "N";
+    case JointLimit::kAcceleration:
+      return turning ? "rad/s^2" : "m/s^2";
   }
   return "";
 }
@@ -29,7 +31,9 @@ LimitWatch::LimitWatch(const RobotModel& model, double share)
       velocity_(share * model.velocity_limits()),
       lower_(model.lower_limits()),
       upper_(model.upper_limits()),
-      effort_(share * model.effort_limits()) {
+      effort_(share * model.effort_limits()),
+      acceleration_(share * model.acceleration_limits()),
+      last_velocity_(JointVector::Zero(model.n())) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     turning_.push_back(model.chain.motion[i] == JointMotion::kRevolute);
   }
@@ -53,7 +57,14 @@ void LimitWatch::look(const Observation& o) {
     if (std::abs(effort[i]) > effort_[i]) {
       note(JointLimit::kEffort, i, o.time, effort[i], std::copysign(effort_[i], effort[i]));
     }
+    const double acceleration = first_ ? 0.0 : (qd[i] - last_velocity_[i]) / (o.time - last_time_);
+    if (std::abs(acceleration) > acceleration_[i]) {
+      note(JointLimit::kAcceleration, i, o.time, acceleration, std::copysign(acceleration_[i], acceleration));
+    }
+    last_velocity_[i] = qd[i];
   }
+  last_time_ = o.time;
+  first_ = false;
 }
 
 std::vector<BrokenLimit> LimitWatch::broken() const {
@@ -71,9 +82,10 @@ std::vector<BrokenLimit> LimitWatch::broken() const {
 }
 
 std::string to_string(const BrokenLimit& broken) {
-  const char* what = broken.limit == JointLimit::kVelocity   ? "moves at"
-                     : broken.limit == JointLimit::kPosition ? "is at"
-                                                             : "is commanded";
+  const char* what = broken.limit == JointLimit::kVelocity       ? "moves at"
+                     : broken.limit == JointLimit::kPosition     ? "is at"
+                     : broken.limit == JointLimit::kAcceleration ? "accelerates at"
+                                                                 : "is commanded";
   const std::string part = broken.share < 1.0 ? fmt::format("{:.2g} of ", broken.share) : std::string();
   return fmt::format("{} {} {:.4g} {}, beyond {}its {} of {:.4g}, at {:.3f} s", broken.joint, what,
                      broken.value, broken.unit, part, name(broken.limit), broken.bound / broken.share,

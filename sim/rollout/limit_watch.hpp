@@ -1,7 +1,8 @@
 #pragma once
-// Checks in every control period whether a joint exceeds a velocity, position or effort limit. For each kind
-// of limit it records the first time, the joint and the value.
+// Checks in every control period whether a joint exceeds a velocity, position, effort or acceleration limit.
+// For each kind of limit it records the first time, the joint and the value.
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -11,10 +12,11 @@
 
 namespace armtune::internal {
 
-/// The kinds of limits that a URDF gives a joint.
-enum class JointLimit : std::size_t { kVelocity, kPosition, kEffort };
-inline constexpr std::array kJointLimits = {JointLimit::kVelocity, JointLimit::kPosition,
-                                            JointLimit::kEffort};
+/// The kinds of limits of a joint: those that a URDF gives, and that of the acceleration, which a robot YAML
+/// can give.
+enum class JointLimit : std::size_t { kVelocity, kPosition, kEffort, kAcceleration };
+inline constexpr std::array kJointLimits = {JointLimit::kVelocity, JointLimit::kPosition, JointLimit::kEffort,
+                                            JointLimit::kAcceleration};
 
 constexpr const char* name(JointLimit limit) {
   switch (limit) {
@@ -24,6 +26,8 @@ constexpr const char* name(JointLimit limit) {
       return "position limit";
     case JointLimit::kEffort:
       return "effort limit";
+    case JointLimit::kAcceleration:
+      return "acceleration limit";
   }
   return "";
 }
@@ -32,24 +36,27 @@ constexpr const char* name(JointLimit limit) {
 struct BrokenLimit {
   JointLimit limit = JointLimit::kVelocity;
   std::string joint;
-  double time = 0.0;      ///< [s]
-  double value = 0.0;     ///< true velocity or position, or commanded effort, in the URDF's units
-  double bound = 0.0;     ///< limit times share, with the sign of the side that was exceeded
+  double time = 0.0;   ///< [s]
+  double value = 0.0;  ///< true velocity, position or acceleration, or commanded effort, in the URDF's units
+  double bound = 0.0;  ///< limit times share, with the sign of the side that was exceeded
   std::string unit = {};  ///< of value and bound
   double share = 1.0;     ///< allowed fraction of the limit
 };
 
 class LimitWatch {
  public:
-  /// model: the arm that is observed; no reference to it is kept. share: the fraction of the velocity and
-  /// effort limits above which they count as exceeded. It does not apply to position limits.
+  /// model: the arm that is observed; no reference to it is kept. share: the fraction of the
+  /// velocity, effort and acceleration limits above which they count as exceeded. It does not apply to
+  /// position limits.
   explicit LimitWatch(const RobotModel& model, double share = 1.0);
 
   /// Checks one control period. Call it once per period. Allocates nothing.
   void look(const Observation& o);
 
   /// True once any limit was exceeded.
-  bool any() const { return found_[0].joint >= 0 || found_[1].joint >= 0 || found_[2].joint >= 0; }
+  bool any() const {
+    return std::any_of(found_.begin(), found_.end(), [](const Found& found) { return found.joint >= 0; });
+  }
   /// Returns the limits that were exceeded, the earliest first.
   std::vector<BrokenLimit> broken() const;
 
@@ -65,7 +72,10 @@ class LimitWatch {
   std::vector<std::string> joints_;
   std::vector<bool> turning_;  ///< true for revolute joints, false for prismatic ones
   double share_;
-  JointVector velocity_, lower_, upper_, effort_;
+  JointVector velocity_, lower_, upper_, effort_, acceleration_;
+  JointVector last_velocity_;
+  double last_time_ = 0.0;
+  bool first_ = true;
   std::array<Found, kJointLimits.size()> found_;
 };
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "core/robot/urdf_writer.hpp"
 #include "sim/yaml/quoted.hpp"
 
@@ -22,7 +24,16 @@ std::string robot_yaml(const RobotModel& model, const std::string& urdf, const s
              list(chain.rotor_inertia), list(chain.viscous_friction), list(chain.coulomb_friction),
              model.compensates_gravity ? "compensates_gravity: true\n" : "") +
          drive("drive_velocity_gain", model.drive_velocity_gain) +
-         drive("drive_velocity_integral", model.drive_velocity_integral);
+         drive("drive_velocity_integral", model.drive_velocity_integral) + acceleration_limits_yaml(model);
+}
+
+std::string acceleration_limits_yaml(const RobotModel& model) {
+  std::string text;
+  for (const JointInfo& joint : model.joints) {
+    if (!std::isfinite(joint.limits.acceleration)) continue;
+    text += fmt::format("  {}: {{acceleration: {}}}\n", yaml::word(joint.name), joint.limits.acceleration);
+  }
+  return text.empty() ? text : "limits:  # rad/s^2, m/s^2\n" + text;
 }
 
 }  // namespace armtune::internal

@@ -12,4 +12,8 @@ namespace armtune::internal {
 /// it. Reading both gives the same chain. comment: one line for the top of the text; may be empty.
 std::string robot_yaml(const RobotModel& model, const std::string& urdf, const std::string& comment = {});
 
+/// Returns the key `limits` of a robot YAML with the model's acceleration limits, which a URDF cannot
+/// contain. Empty if the model has none.
+std::string acceleration_limits_yaml(const RobotModel& model);
+
 }  // namespace armtune::internal

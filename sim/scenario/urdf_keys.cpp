@@ -21,7 +21,7 @@ std::optional<double> number_of(yaml::MapReader& map, const char* key) {
 GivenLimits read_limits(const yaml::Node& node) {
   yaml::MapReader map(node);
   const GivenLimits limits{number_of(map, "lower"), number_of(map, "upper"), number_of(map, "velocity"),
-                           number_of(map, "effort")};
+                           number_of(map, "effort"), number_of(map, "acceleration")};
   map.finish();
   return limits;
 }

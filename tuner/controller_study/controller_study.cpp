@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -120,6 +121,9 @@ std::string constraints_of(const Arm& arm) {
   if (std::any_of(joints.begin(), joints.end(),
                   [](const JointInfo& joint) { return joint.limits.has_position; }))
     add(Metric::kJointPositionMinMargin);
+  if (std::any_of(joints.begin(), joints.end(),
+                  [](const JointInfo& joint) { return std::isfinite(joint.limits.acceleration); }))
+    text += fmt::format("  - {{metric: {}, at_most: 0.9}}\n", name(Metric::kJointAccelerationMaxRatio));
   for (const auto& [metric, possible] : arm.contact) {
     if (possible) add(metric);
   }
@@ -240,9 +244,9 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
   const std::optional<double> rate =
       inputs.rate > 0.0 ? inputs.rate : controller_rate(from.controller, inputs.controllers);
   if (!rate)
-    throw InputError(fmt::format(
-        "{}: the file has no update_rate of the controller manager; give the control rate with --rate HZ",
-        inputs.controllers));
+    throw InputError(
+        InputPlace{inputs.controllers},
+        "the file has no update_rate of the controller manager; give the control rate with --rate HZ");
   const std::vector<Move> moves = moves_of(inputs.trajectories);
 
   std::vector<JointSpline> motions;

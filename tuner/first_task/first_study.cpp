@@ -28,7 +28,7 @@ constraints:
   - {{metric: joint_velocity/max_ratio, at_most: 0.9}}
   - {{metric: joint_position/min_margin, at_least: 0}}
   - {{metric: joint_effort/max_ratio, at_most: 0.9}}
-{clearances}
+{more}
 # Robust gains: every metric is the worst over the arm and six random arms. For each stability margin, one
 # more rollout with extra delay, gain, noise or a lower rate must keep the limits.
 robust: {{samples: 6, measure: worst}}
@@ -40,9 +40,11 @@ search:
   seed: 1
 )";
 
-/// Constraints for what the arm can touch.
-std::string clearances(const Scenario& scenario) {
+/// Constraints for accelerations, if the robot file limits them, and for what the arm can touch.
+std::string more_constraints(const Scenario& scenario) {
   std::string text;
+  if (applies(Metric::kJointAccelerationMaxRatio, scenario))
+    text = fmt::format("  - {{metric: {}, at_most: 0.9}}\n", name(Metric::kJointAccelerationMaxRatio));
   for (const Metric contact : kContactMetrics) {
     if (applies(contact, scenario)) text += fmt::format("  - {{metric: {}, at_least: 0}}\n", name(contact));
   }
@@ -63,7 +65,7 @@ std::string first_study_yaml(const Scenario& scenario) {
   const RobotModel& robot = *scenario.robot;
   const bool looks = tracks_orientation(scenario.mask);
   return fmt::format("description: {}\n", yaml::quoted("first gains for " + robot.name)) +
-         fmt::format(kStudy, fmt::arg("clearances", clearances(scenario)),
+         fmt::format(kStudy, fmt::arg("more", more_constraints(scenario)),
                      fmt::arg("orientation_parameters", looks ? "  - {name: slerpDurationErrorGain}\n" : ""),
                      fmt::arg("orientation_terms", looks ? "  - {metric: error/orientation/max, weight: 1}\n"
                                                            "  - {metric: error/orientation/rms, weight: 1}\n"

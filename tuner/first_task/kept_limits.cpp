@@ -13,6 +13,7 @@ bool keeps_limits(const RolloutResult& result, double share) {
   const Metrics& metrics = result.metrics;
   return result.status == RolloutStatus::kCompleted && metrics[Metric::kJointVelocityMaxRatio] <= share &&
          metrics[Metric::kJointEffortMaxRatio] <= share &&
+         !(metrics[Metric::kJointAccelerationMaxRatio] > share) &&
          !(metrics[Metric::kJointPositionMinMargin] < 0.0) && contact_text(metrics).empty();
 }
 
@@ -22,6 +23,8 @@ EndLimits ends_of_kept_limits(const Scenario& scenario, double share) {
   EndLimits limits = {{Metric::kJointVelocityMaxRatio, beyond},
                       {Metric::kJointEffortMaxRatio, beyond},
                       {Metric::kJointPositionMinMargin, below}};
+  if (applies(Metric::kJointAccelerationMaxRatio, scenario))
+    limits.push_back({Metric::kJointAccelerationMaxRatio, beyond});
   for (const Metric contact : kContactMetrics) {
     if (applies(contact, scenario)) limits.push_back({contact, below});
   }
@@ -37,6 +40,8 @@ std::string lost_limits(const RolloutResult& result, double share) {
   if (metrics[Metric::kJointVelocityMaxRatio] > share) {
     return fmt::format("the velocity of {} exceeds {} of its limit", metrics.max_ratio_joint, share);
   }
+  if (metrics[Metric::kJointAccelerationMaxRatio] > share)
+    return fmt::format("the acceleration of a joint exceeds {} of its limit", share);
   return fmt::format("a commanded torque exceeds {} of the joint's effort limit", share);
 }
 

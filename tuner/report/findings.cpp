@@ -137,7 +137,8 @@ std::vector<std::string> violations(const std::vector<Table>& tables, const std:
 std::vector<StudyLimit> limits_of_arm() {
   return {{Metric::kJointVelocityMaxRatio, true, 1.0, {}},
           {Metric::kJointPositionMinMargin, false, 0.0, {}},
-          {Metric::kJointEffortMaxRatio, true, 1.0, {}}};
+          {Metric::kJointEffortMaxRatio, true, 1.0, {}},
+          {Metric::kJointAccelerationMaxRatio, true, 1.0, {}}};
 }
 
 std::vector<std::string> wrong_with(const std::vector<Table>& tables, const std::vector<StudyLimit>& limits,

@@ -14,6 +14,7 @@ namespace armtune::internal {
 std::vector<MetricLimit> arm_limits() {
   std::vector<MetricLimit> limits = {{Metric::kJointVelocityMaxRatio, true, 1.0},
                                      {Metric::kJointPositionMinMargin, false, 0.0}};
+  limits.push_back({Metric::kJointAccelerationMaxRatio, true, 1.0});
   for (const Metric contact : kContactMetrics) limits.push_back({contact, false, 0.0});
   return limits;
 }

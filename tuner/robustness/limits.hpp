@@ -1,5 +1,5 @@
 #pragma once
-// Limits of metrics. The checks with random arms and of stability margins use them to judge gains.
+// Limits of metrics. They judge gains in the checks on random arms and in those of stability margins.
 
 #include <string>
 #include <vector>
@@ -25,8 +25,9 @@ inline long saturated_periods_allowed(const Scenario& scenario) {
 /// Returns "torque saturated in over 1 % of the periods".
 std::string saturation_text();
 
-/// Returns the arm's own limits: joint velocities and positions inside their limits, and no contact of the
-/// arm with an obstacle, with itself, with the cell or with the floor.
+/// Returns the arm's own limits: joint velocities, positions and, if the robot file limits them,
+/// accelerations inside their limits, and no contact of the arm with an obstacle, with itself, with the cell
+/// or with the floor.
 std::vector<MetricLimit> arm_limits();
 
 /// Returns the limit that a text such as "joint_velocity/max_ratio<=0.9" describes. The relation is "<=" or

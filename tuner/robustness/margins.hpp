@@ -2,12 +2,13 @@
 // Computes stability margins by simulation: the largest additional delay, gain factor and noise, and the
 // lowest control rate, that the closed loop of a gain set tolerates.
 //
-// A loop counts as stable in a scenario ("stands", "holds") if its rollout completes, keeps the limits, and
-// saturates a torque in at most 1 % of the control periods. The reason for the last condition: The motion of
-// an unstable loop grows until something limits it. In these arms this is the saturation of the torques. The
-// torques then chatter between their limits. For a while the tracking error hardly grows, but on a real arm a
-// motor or gear would be destroyed. Good gains also saturate for a few periods when the controller's state
-// changes. When a loop becomes unstable, the number of saturated periods grows by a factor of hundreds.
+// A loop counts as stable in a scenario ("stands", "holds") if its rollout completes, keeps the limits
+// of velocity, position and (if given) acceleration, touches nothing, and saturates a torque in at most 1 %
+// of the control periods. The reason for the last condition: The motion of an unstable loop grows until
+// something limits it. In these arms this is the saturation of the torques. The torques then chatter between
+// their limits. For a while the tracking error hardly grows, but on a real arm a motor or gear would be
+// destroyed. Good gains also saturate for a few periods when the controller switches to another of its
+// states. When a loop becomes unstable, the number of saturated periods grows by a factor of hundreds.
 // Therefore the margin hardly depends on the exact share.
 
 #include <atomic>

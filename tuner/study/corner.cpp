@@ -49,6 +49,9 @@ double missing_to_hold(const RolloutResult& result, const Scenario& corner) {
   if (applies(Metric::kJointPositionMinMargin, corner)) {
     missing = std::max(missing, -result.metrics[Metric::kJointPositionMinMargin]);
   }
+  if (applies(Metric::kJointAccelerationMaxRatio, corner)) {
+    missing = std::max(missing, result.metrics[Metric::kJointAccelerationMaxRatio] - 1.0);
+  }
   for (const Metric contact : kContactMetrics) {
     if (applies(contact, corner)) missing = std::max(missing, -result.metrics[contact]);
   }

@@ -1,9 +1,10 @@
 #pragma once
 // Stability margins as constraints of a study. For each demanded margin and each scenario there is one
 // further rollout of the nominal arm. Its scenario is called a corner: a copy of the scenario in which the
-// margin's quantity, such as a delay, has the demanded value. The constraint holds if the loop is stable in
-// the corner. `armtune margins` uses the same definition: the rollout completes, keeps the arm's velocity and
-// position limits, touches nothing, and saturates a torque in at most 1 % of the control periods.
+// margin's quantity, such as a delay, is changed as demanded. The constraint holds if the loop is stable in
+// the corner. `armtune margins` uses the same definition: the rollout completes, keeps the arm's limits of
+// velocity, position and (if given) acceleration, touches nothing, and saturates a torque in at most 1 % of
+// the control periods.
 
 #include <optional>
 #include <string>

@@ -18,9 +18,11 @@ CheckKind kind_of(JointLimit limit) {
     case JointLimit::kPosition:
       return CheckKind::kPositionLimit;
     case JointLimit::kEffort:
+      return CheckKind::kEffortLimit;
+    case JointLimit::kAcceleration:
       break;
   }
-  return CheckKind::kEffortLimit;
+  return CheckKind::kAccelerationLimit;
 }
 
 std::string named(const std::string& scenario, const std::string& set) {
@@ -61,7 +63,11 @@ void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::s
     completed.detail = r.result.reason;
   }
   verdict.checks.push_back(std::move(completed));
+  const bool accelerations = std::any_of(results.begin(), results.end(), [](const ScenarioResult& r) {
+    return !std::isnan(r.result.metrics[Metric::kJointAccelerationMaxRatio]);
+  });
   for (const JointLimit limit : kJointLimits) {
+    if (limit == JointLimit::kAcceleration && !accelerations) continue;  // the arm has no such limit
     Check check{kind_of(limit)};
     for (const ScenarioResult& r : results) {
       for (const BrokenLimit& broken : r.broken) {
@@ -170,7 +176,8 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
     verdict.checks.push_back(std::move(growth));
   } else {
     add_once(
-        named("error growth (no completed scenario has errors in both its first and its last minutes)", set),
+        named("error growth (no completed scenario tracks its path in both its first and its last minutes)",
+              set),
         verdict.not_checked);
   }
 }

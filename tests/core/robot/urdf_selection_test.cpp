@@ -242,7 +242,15 @@ TEST_F(UrdfSelection, GivenLimitsAndInertiaStandForThoseOfTheFile) {
   expect_same_arm(given, said);
   EXPECT_EQ(given.joints[0].limits.velocity, said.joints[0].limits.velocity);
   EXPECT_EQ(given.joints[0].limits.effort, said.joints[0].limits.effort);
-  options.limits["j"] = {-0.5, 0.5, 3.0, 4.0};
+  EXPECT_TRUE(std::isinf(given.joints[0].limits.acceleration)) << "no URDF has one";
+  options.limits["j"] = {-0.5, 0.5, 3.0, 4.0, 7.5};
+  EXPECT_EQ(read(whole, options).joints[0].limits.acceleration, 7.5);
+  EXPECT_EQ(read(whole, options).acceleration_limits()[0], 7.5);
+  for (const double wrong : {0.0, -1.0, std::nan("")}) {
+    UrdfOptions other;
+    other.limits["j"].acceleration = wrong;
+    EXPECT_THAT(refusal(whole, other), HasSubstr("joint 'j': acceleration limit is"));
+  }
   EXPECT_EQ(read(whole, options).joints[0].limits.lower, -0.5);
   EXPECT_EQ(read(whole, options).joints[0].limits.upper, 0.5);
 }
@@ -302,8 +310,8 @@ TEST_F(UrdfSelection, AHeldJointKeepsToTheLimitsThatAreGiven) {
   options.limits["arm3_joint"] = {0.0, 1.0, {}, {}};
   EXPECT_THAT(refusal(text, options), AllOf(HasSubstr("'arm3_joint' at 2.5 rad"), HasSubstr("0 .. 1")));
   options.limits["arm3_joint"] = {{}, 3.0, {}, 5.0};
-  EXPECT_THAT(refusal(text, options),
-              AllOf(HasSubstr("'arm3_joint' is fixed by 'hold'"), HasSubstr("velocity and effort")));
+  EXPECT_THAT(refusal(text, options), AllOf(HasSubstr("'arm3_joint' is fixed by 'hold'"),
+                                            HasSubstr("velocity, effort and acceleration")));
 }
 
 TEST_F(UrdfSelection, WhatIsProposedToBeHeldCanBeHeld) {

@@ -240,6 +240,30 @@ TEST_F(Accumulated, EffortIsTheCommandBeforeSaturationAndItsRateThatOfTheTorque)
   EXPECT_DOUBLE_EQ(m[Metric::kEffortRateRms], 5.0 / kPeriod) << "the first period has none before it";
 }
 
+TEST_F(Accumulated, AccelerationsAndJerksAreDifferencesOfTheVelocities) {
+  p_.control.state = kLeaveSingularity;  // limits count always
+  RobotModel with_limit = model_;
+  with_limit.joints[2].limits.acceleration = 4.0;
+  MetricAccumulator limited(with_limit, 0.1, kPeriod);
+  const auto velocity = [&](int joint, double value) {
+    p_.qd[joint] = value;
+    add();
+    limited.add(p_.o);
+  };
+  velocity(2, 0.3);  // nothing before it
+  EXPECT_TRUE(std::isnan(limited.so_far(Metric::kJointAccelerationMax)));
+  velocity(2, 0.1);
+  EXPECT_DOUBLE_EQ(limited.so_far(Metric::kJointAccelerationMax), 0.2 / kPeriod);
+  EXPECT_DOUBLE_EQ(limited.so_far(Metric::kJointAccelerationMaxRatio), 0.2 / kPeriod / 4.0);
+  EXPECT_TRUE(std::isnan(limited.so_far(Metric::kJointJerkMax)));
+  velocity(4, 0.3);  // faster, and without a limit
+  const Metrics m = limited.result(1.0);
+  EXPECT_DOUBLE_EQ(m[Metric::kJointAccelerationMax], 0.3 / kPeriod);
+  EXPECT_DOUBLE_EQ(m[Metric::kJointAccelerationMaxRatio], 0.2 / kPeriod / 4.0);
+  EXPECT_DOUBLE_EQ(m[Metric::kJointJerkMax], 0.3 / kPeriod / kPeriod);
+  EXPECT_TRUE(std::isnan(result()[Metric::kJointAccelerationMaxRatio])) << "no joint has a limit";
+}
+
 TEST_F(Accumulated, SaturatedPeriodsAreCountedInEveryStateAndOnlyGrow) {
   double counted = 0.0;
   for (const bool saturated : {true, false, true, true, false}) {

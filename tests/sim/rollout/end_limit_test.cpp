@@ -55,6 +55,14 @@ TEST(EndLimit, AMetricThatOnlyWorsensNeverGetsBetterInALongerRollout) {
   expect_worse_and_worse(obstacles, looked_at);
   // Joint errors are those of plans only.
   const test::TemporaryFolder folder;
+  // Accelerations are compared with limits where the robot file has them.
+  folder.write(
+      "arm.yaml",
+      "urdf: " ARMTUNE_SOURCE_DIR
+      "/sim/robots/ur10.urdf\ntip_link: tool0\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\nlimits: {elbow_joint: {acceleration: 5}}\n");
+  expect_worse_and_worse(
+      load_scenario(folder.write("limited.yaml", "base: moving_target\nrobot: arm.yaml\nduration: 2\n")),
+      looked_at);
   test::QuinticPlan plan;
   plan.start = obstacles.start_position;
   plan.goal = obstacles.start_position + JointVector::Constant(6, 0.3);

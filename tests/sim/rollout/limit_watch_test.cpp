@@ -73,6 +73,30 @@ TEST(LimitWatch, RemembersTheFirstPassOfEachLimitWithJointValueAndSide) {
   EXPECT_EQ(broken[2].unit, "rad");
 }
 
+TEST(LimitWatch, FindsAnAccelerationBeyondItsLimitBetweenTwoPeriods) {
+  Seen seen;
+  seen.arm.joints[2].limits.acceleration = 4.0;
+  LimitWatch watch(seen.arm);
+  const auto look = [&](double time, double velocity) {
+    seen.qd[2] = seen.qd[3] = velocity;  // joint 3 has no limit
+    seen.o.time = time;
+    watch.look(seen.o);
+  };
+  look(1.0, -0.5);  // nothing before it to compare with
+  look(1.5, 1.4);   // 3.8 rad/s^2
+  EXPECT_FALSE(watch.any());
+  look(2.0, -0.7);  // -4.2 rad/s^2
+  ASSERT_EQ(watch.broken().size(), 1U);
+  const BrokenLimit broken = watch.broken().front();
+  EXPECT_EQ(broken.limit, JointLimit::kAcceleration);
+  EXPECT_EQ(broken.joint, seen.arm.joints[2].name);
+  EXPECT_EQ(broken.time, 2.0);
+  EXPECT_NEAR(broken.value, -4.2, 1e-12);
+  EXPECT_EQ(broken.bound, -4.0);
+  EXPECT_EQ(to_string(broken),
+            broken.joint + " accelerates at -4.2 rad/s^2, beyond its acceleration limit of -4, at 2.000 s");
+}
+
 TEST(LimitWatch, GivesTheLimitsOfASlidingJointInMetresAndNewtons) {
   Seen seen;
   seen.arm.chain.motion[3] = JointMotion::kPrismatic;

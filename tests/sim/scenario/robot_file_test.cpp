@@ -158,12 +158,16 @@ TEST(RobotFile, LimitsAndInertiaStandForThoseOfTheUrdf) {
   const auto arm = load_robot(folder.write(
       "arm.yaml",
       robot_text(
-          "tip_link: wrist_3_link\nlimits: {elbow_joint: {velocity: 1.5, lower: -1, upper: 2}}\n"
+          "tip_link: wrist_3_link\nlimits: {elbow_joint: {velocity: 1.5, lower: -1, upper: 2, acceleration: 9}}\n"
           "inertia: {wrist_3_link: {mass: 2, center: [0, 0, 0.1], moments: [3, 0.4, 0.5, 4, 0.6, 5]}}\n")));
   const auto bare = load_robot(kUrdf);
   const JointLimits& given = arm->joints[2].limits;
   EXPECT_EQ(given.velocity, 1.5);
   EXPECT_EQ(given.effort, bare->joints[2].limits.effort);
+  EXPECT_EQ(given.acceleration, 9.0);
+  folder.write("again.urdf", urdf_text(*arm));
+  const auto again = load_robot(folder.write("again.yaml", robot_yaml(*arm, "again.urdf", "")));
+  EXPECT_EQ(again->acceleration_limits(), arm->acceleration_limits()) << "no URDF has them";
   EXPECT_EQ(given.lower, -1.0);
   EXPECT_EQ(given.upper, 2.0);
   // What is fixed to the wrist in the URDF weighs nothing; the body's z axis is the link's y axis.

@@ -170,6 +170,20 @@ TEST(RolloutChecks, AnEstimateOfTheRotorsIsNotCheckedByASimulation) {
   EXPECT_THAT(not_checked(), Contains(HasSubstr("rotor inertia that differs from the estimate")));
 }
 
+TEST(RolloutChecks, LookAtAccelerationsOnlyIfTheArmLimitsThem) {
+  ScenarioResult result = result_of("a", {{JointLimit::kAcceleration, "elbow", 7.0, -9.0, -8.0}});
+  result.result.metrics[Metric::kJointAccelerationMaxRatio] = 1.125;
+  SimulationVerdict verdict;
+  add_rollout_checks({result}, "", verdict);
+  ASSERT_EQ(verdict.checks.size(), 5U);
+  EXPECT_EQ(to_text(verdict.checks.back()), "acceleration limit, elbow, 7.000 s, in a: 9, threshold 8");
+  EXPECT_FALSE(verdict.passed());
+  result.result.metrics[Metric::kJointAccelerationMaxRatio] = NAN;
+  SimulationVerdict without;
+  add_rollout_checks({result}, "", without);
+  EXPECT_EQ(without.checks.size(), 4U);
+}
+
 TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {
   SimulationVerdict verdict;
   add_rollout_checks({result_of("a", {{JointLimit::kEffort, "elbow", 7.0, 200.0, 150.0}}),
