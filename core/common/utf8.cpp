@@ -26,6 +26,10 @@ bool is_printable(char32_t code) {
   constexpr char32_t kParagraphSeparator = 0x2029;
   constexpr char32_t kByteOrderMark = 0xFEFF;
   if (code == kLineSeparator || code == kParagraphSeparator || code == kByteOrderMark) return false;
+  // These turn the direction of text, so that a name can look like another one (Unicode, report 36).
+  const bool turns = code == 0x61C || code == 0x200E || code == 0x200F ||
+                     (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+  if (turns) return false;
   return (code & 0xFFFEU) != 0xFFFEU;  // the last two of each plane
 }
 

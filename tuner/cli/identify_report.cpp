@@ -98,7 +98,9 @@ void print_identification(const IdentifySettings& settings, const IdentifyOutcom
   if (outcome.doubts.empty()) return;
   say("\nThe logs do not fit the robot file:\n");
   for (const std::string& doubt : outcome.doubts) say(fmt::format("  {}.\n", doubt));
-  if (outcome.files.empty()) say("Nothing was written. If you know that the logs are right, add --accept.\n");
+  if (!outcome.files.empty()) return;
+  say(settings.accept ? "Nothing was written, because no folder is given; add --out.\n"
+                      : "Nothing was written. If you know that the logs are right, add --accept.\n");
 }
 
 }  // namespace armtune::internal::cli

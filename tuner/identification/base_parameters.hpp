@@ -1,8 +1,9 @@
 #pragma once
 // Computes base parameters: the smallest set of linear combinations of theta, an arm's inertial and friction
 // parameters, that determines its dynamics. Only these combinations can be identified from logs. If a column
-// of the regressor is, in every state, a linear combination of columns before it, its parameter is added to
-// the groups of their parameters (Gautier, Numerical calculation of the base inertial parameters of robots,
+// of the regressor is, in every state, a linear combination of columns before it, its parameter is no base
+// parameter of its own: it is added, times the factors of that combination, to the base parameters of those
+// columns (Gautier, Numerical calculation of the base inertial parameters of robots,
 // 1991).
 
 #include <Eigen/Core>

@@ -58,9 +58,10 @@ class Follower {
 void check_following(const RobotModel& model, double error, double time) {
   if (error <= kLost) return;
   throw InputError(
-      fmt::format("{}: the simulated arm is {:.3g} rad or m off the trajectory at {:.3f} s; its parameters "
+      InputPlace{model.source},
+      fmt::format("the simulated arm is {:.3g} rad or m off the trajectory at {:.3f} s; its parameters "
                   "differ too much from the robot file, or the effort limits are too low",
-                  model.source, error, time));
+                  error, time));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/common/message_text.hpp"
 #include "core/robot/urdf_writer.hpp"
 #include "sim/csv/cell.hpp"
+#include "sim/scenario/robot_writer.hpp"
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
@@ -61,11 +62,12 @@ std::string robot_yaml(const RobotModel& model, const std::string& urdf) {
     return fmt::format("[{}]", fmt::join(v.data(), v.data() + v.size(), ", "));
   };
   return fmt::format(
-      "urdf: {}\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}\nviscous_friction: {}\n"
-      "coulomb_friction: {}\n",
-      yaml::word(urdf), yaml::quoted(model.base_link), yaml::word(urdf_tool_link(model)),
-      list(model.chain.rotor_inertia), list(model.chain.viscous_friction),
-      list(model.chain.coulomb_friction));
+             "urdf: {}\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}\nviscous_friction: {}\n"
+             "coulomb_friction: {}\n",
+             yaml::word(urdf), yaml::quoted(model.base_link), yaml::word(urdf_tool_link(model)),
+             list(model.chain.rotor_inertia), list(model.chain.viscous_friction),
+             list(model.chain.coulomb_friction)) +
+         acceleration_limits_yaml(model);
 }
 
 }  // namespace armtune::internal

@@ -97,8 +97,8 @@ class Passes {
       estimate = regression.solve(prior_);
       if (!estimate.theta.allFinite() || !estimate.covariance.allFinite()) {
         throw InputError(
-            fmt::format("{}: {} samples give no finite estimate; check the columns and their units",
-                        logs_.front(), samples_));
+            InputPlace{logs_.front()},
+            fmt::format("{} samples give no finite estimate; check the columns and their units", samples_));
       }
       reweighting_.update(estimate);
     }
@@ -138,20 +138,22 @@ class Passes {
     if (stop_) return;
     if (pass == 0) hashes_.push_back(log.hash());
     if (log.hash() != hashes_[i])
-      throw InputError(fmt::format("{}: changed while it was read; use a log that is complete", logs_[i]));
+      throw InputError(InputPlace{logs_[i]}, "changed while it was read; use a log that is complete");
     stream.check_velocities();
     if (count == 0) {
       throw InputError(
-          fmt::format("{}: {} samples with a period of {:.4g} s are too few for the filters at a cutoff of "
+          InputPlace{logs_[i]},
+          fmt::format("{} samples with a period of {:.4g} s are too few for the filters at a cutoff of "
                       "{} Hz; log longer or raise --cutoff",
-                      logs_[i], stream.samples(), log.period(), options_.rows.cutoff));
+                      stream.samples(), log.period(), options_.rows.cutoff));
     }
   }
 
   void check_first_pass() const {
     if (fitted_.count() * model_.n() <= base_.rank()) {
-      throw InputError(fmt::format("{}: {} equations are too few to identify {} base parameters; log longer",
-                                   logs_.front(), fitted_.count() * model_.n(), base_.rank()));
+      throw InputError(InputPlace{logs_.front()},
+                       fmt::format("{} equations are too few to identify {} base parameters; log longer",
+                                   fitted_.count() * model_.n(), base_.rank()));
     }
     check_motion(model_, instants_.kept(), logs_name(logs_));
     check_units(model_, instants_.kept(), logs_name(logs_));

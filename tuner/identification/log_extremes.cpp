@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "armtune/error.hpp"
 #include "tuner/identification/effort_words.hpp"
@@ -15,6 +16,7 @@ namespace {
 constexpr double kShare = 0.05;        ///< of the instants may lie outside: someone pushed the arm, a spike
 constexpr double kLeastMotion = 0.01;  ///< range of a position [rad, m]
 constexpr double kOtherUnit = 3.0;     ///< times the largest position limit
+constexpr double kRounding = 1e-9;     ///< of filtering a torque that never changes
 constexpr double kOverRange = 0.1;     ///< of a position's range
 constexpr double kOverRate = 2.0;      ///< times the velocity limit
 constexpr double kOverEffort = 2.0;    ///< times the effort limit
@@ -105,13 +107,27 @@ class LimitCheck {
   }
 
   void torque_is_there() const {
-    if (std::any_of(instants_.begin(), instants_.end(),
-                    [&](const LogInstant& at) { return at.torque[joint_] != 0.0; }))
+    const auto [low, high] = range([&](const LogInstant& at) { return at.torque[joint_]; });
+    if (low == 0.0 && high == 0.0)
+      fail(fmt::format("its {} is 0 in every row; log this signal, or check the torque columns",
+                       effort_.name));
+    const auto [first, last] = range([&](const LogInstant& at) { return at.q[joint_]; });
+    if (high - low > kRounding * std::max(std::abs(low), std::abs(high)) || last - first <= kLeastMotion)
       return;
-    fail(fmt::format("its {} is 0 in every row; log this signal, or check the torque columns", effort_.name));
+    fail(fmt::format(
+        "its {} is {:.4g} {} in every row, although the joint moves; the column may be frozen, or "
+        "of another signal",
+        effort_.name, high, effort_.unit));
   }
 
  private:
+  /// Least and largest value.
+  std::pair<double, double> range(const std::function<double(const LogInstant&)>& value) const {
+    std::pair<double, double> found = {value(instants_.front()), value(instants_.front())};
+    for (const LogInstant& at : instants_)
+      found = {std::min(found.first, value(at)), std::max(found.second, value(at))};
+    return found;
+  }
   std::string outside(double size) const {
     return fmt::format(
         "its position is as large as {:.4g} {}, but its limits in the robot file are {:.4g} and {:.4g} {}",
@@ -127,7 +143,7 @@ class LimitCheck {
   }
   const char* unit() const { return revolute_ ? "rad" : "m"; }
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(fmt::format("{}: joint {}: {}", logs_, info_.name, what));
+    throw InputError(InputPlace{logs_}, fmt::format("joint {}: {}", info_.name, what));
   }
 
   const RobotModel& model_;
@@ -150,13 +166,16 @@ void check_motion(const RobotModel& model, const std::vector<LogInstant>& instan
     highest = highest.cwiseMax(at.q);
   }
   if ((highest - lowest).maxCoeff() > kLeastMotion) return;
-  throw InputError(fmt::format(
-      "{}: no joint moves by more than {} rad or m, so that the masses of {} cannot be identified; log a "
-      "motion of all joints, for example one from `armtune excite`, or check the position columns",
-      logs, kLeastMotion, model.name));
+  throw InputError(
+      InputPlace{logs},
+      fmt::format(
+          "no joint moves by more than {} rad or m, so that the masses of {} cannot be identified; log a "
+          "motion of all joints, for example one from `armtune excite`, or check the position columns",
+          kLeastMotion, model.name));
 }
 
 void check_units(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs) {
+  if (instants.empty()) return;
   using Check = void (LimitCheck::*)() const;
   // One kind after the other over all joints: a wrong unit shows in most of them.
   for (const Check check : {&LimitCheck::torque_is_there, &LimitCheck::position_unit, &LimitCheck::velocity,

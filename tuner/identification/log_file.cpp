@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 #include "sim/csv/line_cells.hpp"
@@ -67,7 +68,7 @@ LogFile::LogFile(const std::string& path, const LogColumns& columns)
 
 void LogFile::read_header() {
   do {
-    if (!lines_.next()) throw InputError(fmt::format("{}: is empty; a log begins with column names", path_));
+    if (!lines_.next()) throw InputError(InputPlace{path_}, "is empty; a log begins with column names");
   } while (is_blank(lines_.text()));
   header_line_ = lines_.number();
   std::string_view line = lines_.text();
@@ -86,21 +87,24 @@ std::size_t LogFile::place_of(const LogColumn& column) const {
   const auto found = std::find(header_.begin(), header_.end(), column.name);
   if (found == header_.end()) {
     if (!has_names_) {
-      throw InputError(fmt::format(
-          "{}:{}: there is no column '{}', because the first line holds numbers and no names; add a line of "
-          "names, or call the {} columns \"1\", \"2\" and so on in a column map (--columns FILE)",
-          path_, header_line_, column.name, header_.size()));
+      throw InputError(
+          at_line(path_, header_line_, column.name),
+          fmt::format(
+              "there is no column '{}', because the first line holds numbers and no names; add a line of "
+              "names, or call the {} columns \"1\", \"2\" and so on in a column map (--columns FILE)",
+              column.name, header_.size()));
     }
     throw InputError(
-        fmt::format("{}:{}: there is no column '{}'{}; the columns, separated by {}, are: {}. Name the right "
+        at_line(path_, header_line_, column.name),
+        fmt::format("there is no column '{}'{}; the columns, separated by {}, are: {}. Name the right "
                     "columns in a column map (--columns FILE)",
-                    path_, header_line_, column.name, suggestion(column.name, header_),
-                    separator_name(separator_), listed(header_)));
+                    column.name, suggestion(column.name, header_), separator_name(separator_),
+                    listed(header_)));
   }
   if (std::find(found + 1, header_.end(), column.name) == header_.end())
     return static_cast<std::size_t>(found - header_.begin());
-  throw InputError(fmt::format("{}:{}: two columns are called '{}'; remove or rename one", path_,
-                               header_line_, column.name));
+  throw InputError(at_line(path_, header_line_, column.name),
+                   fmt::format("two columns are called '{}'; remove or rename one", column.name));
 }
 
 std::vector<std::size_t> LogFile::places_of(const std::vector<LogColumn>& columns) const {
@@ -117,7 +121,8 @@ void LogFile::read_ahead() {
     ahead_.push_back(std::move(*sample));
   }
   if (samples_ < 2) {
-    throw InputError(fmt::format("{}: has {} rows of data; a log needs at least two", path_, samples_));
+    throw InputError(InputPlace{path_},
+                     fmt::format("has {} rows of data; a log needs at least two", samples_));
   }
   period_ = (ahead_.back().time - ahead_.front().time) / static_cast<double>(samples_ - 1);
   const std::size_t half = ahead_.size() / 2;
@@ -135,18 +140,20 @@ void LogFile::check_rate(double duration, long steps) const {
   const double mean = duration / static_cast<double>(steps);
   if (std::abs(mean - period_) <= (kDrift + 2.0 * kJitter / static_cast<double>(steps)) * period_) return;
   throw InputError(
-      fmt::format("{}:{}: up to this line the mean time step is {:.6g} s, but at the start of the log it is "
+      at_line(path_, lines_.number()),
+      fmt::format("up to this line the mean time step is {:.6g} s, but at the start of the log it is "
                   "{:.6g} s; the filters need one rate (within {} %), so resample the log",
-                  path_, lines_.number(), mean, period_, 100.0 * kDrift));
+                  mean, period_, 100.0 * kDrift));
 }
 
 void LogFile::check_step(double step, long line) const {
   if (std::abs(step - period_) < kJitter * period_) return;
   throw InputError(
-      fmt::format("{}:{}: a step of {:.6g} s, but the mean step is {:.6g} s; the filters need equal steps "
+      at_line(path_, line),
+      fmt::format("a step of {:.6g} s, but the mean step is {:.6g} s; the filters need equal steps "
                   "(within {} %). Resample the log, or split it where samples are missing and give both "
                   "parts",
-                  path_, line, step, period_, 100.0 * kJitter));
+                  step, period_, 100.0 * kJitter));
 }
 
 bool LogFile::read_row() {
@@ -155,7 +162,7 @@ bool LogFile::read_row() {
     const long empty = lines_.number();
     while (lines_.next()) {
       if (!is_blank(lines_.text()))
-        throw InputError(fmt::format("{}:{}: an empty line inside the log; remove it", path_, empty));
+        throw InputError(at_line(path_, empty), "an empty line inside the log; remove it");
     }
     return false;
   }
@@ -163,13 +170,12 @@ bool LogFile::read_row() {
   if (cells_.size() != header_.size()) {
     const std::string_view line = lines_.text();
     if (std::count(line.begin(), line.end(), '"') % 2 != 0) {
-      throw InputError(fmt::format(
-          "{}:{}: a quoted text spans several lines; remove its column, or the line breaks inside it", path_,
-          lines_.number()));
+      throw InputError(at_line(path_, lines_.number()),
+                       "a quoted text spans several lines; remove its column, or the line breaks inside it");
     }
-    throw InputError(
-        fmt::format("{}:{}: has {} cells, but the first line has {}; the log may have been cut off", path_,
-                    lines_.number(), cells_.size(), header_.size()));
+    throw InputError(at_line(path_, lines_.number()),
+                     fmt::format("has {} cells, but the first line has {}; the log may have been cut off",
+                                 cells_.size(), header_.size()));
   }
   return true;
 }
@@ -178,18 +184,20 @@ double LogFile::read_number(std::size_t column, const LogColumn& what) const {
   const std::string_view text = cells_[column];
   if (const auto value = number_in(text)) return *value;
   const bool decimal_comma = separator_ != ',' && text.find(',') != std::string_view::npos;
-  throw InputError(fmt::format("{}:{}: column '{}': {} is not a finite number{}", path_, lines_.number(),
-                               what.name, shown(text),
+  throw InputError(at_line(path_, lines_.number(), what.name),
+                   fmt::format("column '{}': {} is not a finite number{}", what.name, shown(text),
                                decimal_comma ? "; write decimal points, not commas" : ""));
 }
 
 double LogFile::read_value(std::size_t column, const LogColumn& what) const {
   const double value = read_number(column, what);
   if (std::abs(value * what.scale) <= kLargest) return value * what.scale;
-  throw InputError(fmt::format(
-      "{}:{}: column '{}': the value {}, multiplied by its scale {}, exceeds {:.0e} in size; remove the row, "
-      "or correct the scale",
-      path_, lines_.number(), what.name, value, what.scale, kLargest));
+  throw InputError(
+      at_line(path_, lines_.number(), what.name),
+      fmt::format(
+          "column '{}': the value {}, multiplied by its scale {}, exceeds {:.0e} in size; remove the row, "
+          "or correct the scale",
+          what.name, value, what.scale, kLargest));
 }
 
 JointVector LogFile::read_values(const std::vector<std::size_t>& places,
@@ -213,9 +221,10 @@ double LogFile::read_time() {
 void LogFile::check_time(double time) {
   if (samples_ > 0 && !(time > last_time_)) {
     throw InputError(
-        fmt::format("{}:{}: column '{}': {} is not above the value of the row before; sort the rows by time, "
+        at_line(path_, lines_.number(), columns_.time.name),
+        fmt::format("column '{}': {} is not above the value of the row before; sort the rows by time, "
                     "or remove this row",
-                    path_, lines_.number(), columns_.time.name, shown(cells_[time_place_])));
+                    columns_.time.name, shown(cells_[time_place_])));
   }
   if (samples_ > kStretch) {
     check_step(time - last_time_, lines_.number());

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -20,12 +21,13 @@ LogLines::LogLines(const std::string& path) : path_(path), buffer_(kMaxLineBytes
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw InputError(fmt::format(
-        "{}: is not a regular file; a log is read more than once, so save it to a file first", path));
+    throw InputError(InputPlace{path},
+                     "is not a regular file; a log is read more than once, so save it to a file first");
   }
   file_.open(path, std::ios::binary);
   if (!file_)
-    throw InputError(fmt::format("{}: cannot be opened: {}", path, std::generic_category().message(errno)));
+    throw InputError(InputPlace{path},
+                     fmt::format("cannot be opened: {}", std::generic_category().message(errno)));
 }
 
 bool LogLines::fill() {
@@ -34,12 +36,11 @@ bool LogLines::fill() {
   end_ -= begin_;
   begin_ = 0;
   if (end_ == buffer_.size()) {
-    throw InputError(
-        fmt::format("{}:{}: this line has more than 1 MB; a log has one row of numbers on each line", path_,
-                    number_ + 1));
+    throw InputError(at_line(path_, number_ + 1),
+                     "this line has more than 1 MB; a log has one row of numbers on each line");
   }
   file_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
-  if (file_.bad()) throw InputError(fmt::format("{}:{}: cannot be read", path_, number_ + 1));
+  if (file_.bad()) throw InputError(at_line(path_, number_ + 1), "cannot be read");
   const auto read = static_cast<std::size_t>(file_.gcount());
   hash_.add(std::string_view(buffer_.data() + end_, read));
   end_ += read;

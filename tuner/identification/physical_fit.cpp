@@ -1,6 +1,7 @@
 #include "tuner/identification/physical_fit.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 #include "armtune/error.hpp"
 #include "tuner/identification/physical_cone.hpp"
@@ -12,6 +13,9 @@ namespace {
 constexpr double kFinest = 1e-5;
 /// An eigenvalue of a matrix of correlations is not negative by more than this.
 constexpr double kRounding = 1e-6;
+/// Factors on the prior's weight that are tried: a standard deviation of 1 % at most.
+constexpr double kStep = 2.0;
+constexpr double kStrongest = 1e4;
 
 /// Weight matrix: inverse of the covariance, floored. Along what was not excited it is next to nothing, so
 /// that the prior decides there.
@@ -34,20 +38,63 @@ Eigen::MatrixXd information(const BaseParameters& base, const Estimate& estimate
          eigen.eigenvectors().transpose() * unscale.asDiagonal();
 }
 
+/// min (B theta - estimate)^T C (B theta - estimate) + |A (theta - prior)|^2
+class Fit {
+ public:
+  Fit(const BaseParameters& base, const Estimate& estimate, const ParameterVector& prior)
+      : base_(base),
+        estimate_(estimate),
+        prior_(prior),
+        cone_(prior),
+        information_(information(base, estimate, prior)),
+        seen_(base.map.transpose() * information_ * base.map),
+        wanted_(base.map.transpose() * (information_ * estimate.theta)) {}
+
+  /// strength: factor on the prior's weight for the links.
+  PhysicalMinimum minimum(double strength) const {
+    Eigen::MatrixXd weight = cone_.metric();
+    const Eigen::Index links = prior_.size() / (kLinkParameters + kJointParameters) * kLinkParameters;
+    weight.topLeftCorner(links, links) *= strength;
+    return cone_.minimum(seen_ + weight, wanted_ + weight * prior_, {});
+  }
+
+  /// Squared distance from the estimate, in its standard deviations.
+  double distance(const ParameterVector& theta) const {
+    const Eigen::VectorXd off = base_.map * theta - estimate_.theta;
+    return off.dot(information_ * off);
+  }
+
+ private:
+  const BaseParameters& base_;
+  const Estimate& estimate_;
+  const ParameterVector& prior_;
+  PhysicalCone cone_;
+  Eigen::MatrixXd information_;
+  Eigen::MatrixXd seen_;
+  Eigen::VectorXd wanted_;
+};
+
 }  // namespace
 
 PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimate,
                              const ParameterVector& prior) {
-  const PhysicalCone cone(prior);
-  // min (B theta - estimate)^T C (B theta - estimate) + |A (theta - prior)|^2
-  const Eigen::MatrixXd C = information(base, estimate, prior);
-  const Eigen::MatrixXd Q = base.map.transpose() * C * base.map + cone.metric();
-  const Eigen::VectorXd c = base.map.transpose() * (C * estimate.theta) + cone.metric() * prior;
-  PhysicalMinimum minimum = cone.minimum(Q, c, {});
+  const Fit fit(base, estimate, prior);
+  PhysicalMinimum minimum = fit.minimum(1.0);
   if (!minimum.theta.allFinite())
     throw InputError(
         "the full set of arm parameters (theta) cannot be computed, because the logged motion excites the "
         "arm too little; log more motion");
+  if (!minimum.changed || estimate.not_excited.empty()) return minimum;
+  // What was not excited costs the weak prior next to nothing, so the step into the valid set would move it
+  // by any amount to save a fraction of a standard deviation elsewhere.
+  // Noise of positions makes the stated deviations too small: then no theta is as near as they ask for.
+  const double nearest = fit.distance(minimum.theta);
+  const double allowed = nearest + std::max(nearest, static_cast<double>(base.rank()));
+  for (double strength = kStep; strength <= kStrongest; strength *= kStep) {
+    const PhysicalMinimum nearer = fit.minimum(strength);
+    if (!nearer.theta.allFinite() || fit.distance(nearer.theta) > allowed) break;
+    minimum.theta = nearer.theta;
+  }
   return minimum;
 }
 

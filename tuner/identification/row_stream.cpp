@@ -47,10 +47,12 @@ double checked(const RowOptions& options, const LogFile& log) {
     throw InputError(fmt::format("--cutoff is {} Hz; it must be above zero", options.cutoff));
   const double rate = 1.0 / log.period();
   if (2.0 * options.cutoff > kWidest * rate) {
-    throw InputError(fmt::format(
-        "{}: {:.4g} samples per second are too few for a cutoff of {} Hz; the cutoff may be at most {:.3g} "
-        "Hz{}",
-        log.path(), rate, options.cutoff, 0.5 * kWidest * rate, time_unit_hint(log.period())));
+    throw InputError(
+        InputPlace{log.path()},
+        fmt::format(
+            "{:.4g} samples per second are too few for a cutoff of {} Hz; the cutoff may be at most {:.3g} "
+            "Hz{}",
+            rate, options.cutoff, 0.5 * kWidest * rate, time_unit_hint(log.period())));
   }
   return std::min(kWide * options.cutoff, kWidest * rate);
 }
@@ -100,8 +102,8 @@ RowStream::RowStream(const RobotModel& model, const BaseParameters& base, LogFil
   const double longest = 0.1 * low_pass_half_length(checked(options, log));
   if (!(std::abs(options.torque_delay) <= longest)) {
     throw InputError(
-        fmt::format("--torque-delay is {} s; with this --cutoff its size may be at most {:.3g} s",
-                    options.torque_delay, longest));
+        fmt::format("--torque-delay is {} s; with this --cutoff it must lie between -{:.3g} and {:.3g} s",
+                    options.torque_delay, longest, longest));
   }
   instants_.begin_log(norm_of_both(torque_filter_, row_filter_, motion_step_));
 }
@@ -136,10 +138,12 @@ void RowStream::check_velocities() const {
     if (squares < kSlow * kSlow * static_cast<double>(compared_)) continue;
     const double slope = velocity_products_[i] / squares;
     if (std::abs(slope - 1.0) < kVelocityMismatch) continue;
-    throw InputError(fmt::format(
-        "{}: the velocity of {} is {:.3g} times the derivative of its position; check units, signs and "
-        "columns, or leave the velocities out of the column map (--columns FILE)",
-        log_.path(), model_.joints[static_cast<std::size_t>(i)].name, slope));
+    throw InputError(
+        InputPlace{log_.path()},
+        fmt::format(
+            "the velocity of {} is {:.3g} times the derivative of its position; check units, signs and "
+            "columns, or leave the velocities out of the column map (--columns FILE)",
+            model_.joints[static_cast<std::size_t>(i)].name, slope));
   }
 }
 

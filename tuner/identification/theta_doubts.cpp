@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kLeastTorque = 0.005;  ///< share of the effort limit
 constexpr double kUnexplained = 0.5;
-constexpr double kWorseThanFile = 1.5;
-constexpr double kNoticeable = 0.2;  ///< share of a torque that theta may leave in any case
+constexpr double kWorseThanFile = 1.2;
+constexpr double kNoticeable = 0.15;  ///< share of a torque that theta may leave in any case
 constexpr double kHeavier = 3.0;
 constexpr double kShareOfArm = 0.5;
 constexpr double kOtherArm = 1.8;

@@ -48,13 +48,14 @@ bool locked(int file, double patience) {
 }  // namespace
 
 AppendFile::AppendFile(const std::string& path, Open open, double patience)
-    : path_(path), published_(open != Open::kReplace), holds_work_(open == Open::kContinue) {
+    : path_(path), published_(open != Open::kReplace), texts_(open == Open::kContinue ? 2 : 0) {
   const std::string name = published_ ? path : partial_path(path);
   file_ = published_ ? ::open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags(open), 0644)
                      : make_partial_file(path, O_APPEND);
   if (file_ < 0) {
-    throw InputError(fmt::format("{}: cannot {} this file: {}", path,
-                                 open == Open::kContinue ? "open" : "create", std::strerror(errno)));
+    throw InputError(InputPlace{path},
+                     fmt::format("cannot {} this file: {}", open == Open::kContinue ? "open" : "create",
+                                 std::strerror(errno)));
   }
   if (open != Open::kReplace && !locked(file_, patience)) {
     const int reason = errno;
@@ -77,7 +78,7 @@ AppendFile::~AppendFile() {
 void AppendFile::fail(const char* what) const {
   throw FailedError(
       fmt::format("{}: cannot {} this file: {}{}", path_, what, std::strerror(errno),
-                  holds_work_ ? "; it still holds all work that was finished before this error" : ""));
+                  texts_ > 1 ? "; it still holds all work that was finished before this error" : ""));
 }
 
 void AppendFile::append(const std::string& text, bool sync) {
@@ -87,7 +88,7 @@ void AppendFile::append(const std::string& text, bool sync) {
     throw FailedError(fmt::format("{}: the file was deleted during the run", path_));
   }
   if (!write_all(file_, text)) fail("append to");
-  holds_work_ = true;
+  ++texts_;
   if (sync) this->sync();
 }
 

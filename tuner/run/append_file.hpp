@@ -37,7 +37,7 @@ class AppendFile {
 
   std::string path_;
   bool published_ = true;
-  bool holds_work_ = false;  ///< there are whole texts in the file
+  long texts_ = 0;  ///< whole texts in the file; the first is a header
   int file_ = -1;
 };
 

@@ -54,6 +54,29 @@ TEST_F(Identify, ARightLogInWhichAJointStandsStillIsNotDoubted) {
   }
 }
 
+TEST_F(Identify, WhatStillJointsDoNotExciteKeepsTheMassesOfTheRobotFile) {
+  // The upper arm lies: its weight and the still shoulder say nothing of each other.
+  exciting_.center.setZero();
+  const ParameterVector file = theta_of(arm_.chain);
+  const ParameterVector other = true_theta(differing_arm(41, 1.0));
+  for (const std::vector<int>& moving :
+       {std::vector{0, 2, 3, 4, 5}, {0, 2, 3, 4}, {0, 2, 3, 5}, {2, 3, 4, 5}, {0, 2, 4, 5}}) {
+    for (const ParameterVector* truth : {&file, &other}) {
+      const std::string path =
+          folder_.write("still.csv", log_csv(arm_, log_of_some_joints(moving, *truth, 1e-4)));
+      const Identification found = identified({path});
+      EXPECT_FALSE(found.estimate.not_excited.empty());
+      EXPECT_THAT(theta_doubts(arm_, found), testing::IsEmpty()) << fmt::format("{}", moving.size());
+      for (int i = 0; i < arm_.n(); ++i) {
+        const double lightest = std::min(file[i * kLinkParameters], (*truth)[i * kLinkParameters]);
+        const double heaviest = std::max(file[i * kLinkParameters], (*truth)[i * kLinkParameters]);
+        EXPECT_GT(found.theta[i * kLinkParameters], 0.6 * lightest) << i;
+        EXPECT_LT(found.theta[i * kLinkParameters], 1.3 * heaviest) << i;
+      }
+    }
+  }
+}
+
 TEST_F(Identify, ALogWithoutMotionIsRefused) {
   const ParameterVector truth = true_theta(differing_arm(42, 1.0));
   for (const double noise : {0.0, 1e-4}) {
@@ -87,6 +110,15 @@ TEST_F(Identify, ATorqueThatIsAlwaysZeroIsRefusedWithItsJoint) {
   const std::string path = folder_.write("log.csv", log_csv(arm_, silent));
   EXPECT_THAT(test::refusal([&] { identified({path}); }),
               testing::AllOf(testing::HasSubstr("log.csv"), testing::HasSubstr(arm_.joints[4].name)));
+}
+
+TEST_F(Identify, ATorqueThatNeverChangesIsRefusedIfItsJointMoves) {
+  ExcitationLog frozen = simulate_excitation(nominal_, exciting_, {}, kNever);
+  for (LogSample& sample : frozen.samples) sample.torque[1] = -107.4;
+  const std::string path = folder_.write("log.csv", log_csv(arm_, frozen));
+  EXPECT_THAT(test::refusal([&] { identified({path}); }),
+              testing::AllOf(testing::HasSubstr("shoulder_lift_joint: its torque is -107.4 N m in every row"),
+                             testing::HasSubstr("frozen")));
 }
 
 TEST_F(Identify, OtherUnitsAreRefusedWithTheScaleThatBringsThemBack) {

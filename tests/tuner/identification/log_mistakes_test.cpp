@@ -235,8 +235,8 @@ TEST_F(LogMistakes, LimitsOfASlidingJointAreForces) {
   for (LogInstant& at : log_) {
     at.q *= 0.1;
     at.qd *= 0.1;
-    at.torque.setOnes();
-    at.torque[1] = 1000.0 * model_.joints[1].limits.effort;
+    at.torque = JointVector::Ones(model_.n()) + at.qd;
+    at.torque[1] = (1000.0 + at.q[1]) * model_.joints[1].limits.effort;
   }
   EXPECT_THAT(test::refusal([&] { check_units(model_, log_, "log.csv"); }),
               AllOf(HasSubstr(model_.joints[1].name), HasSubstr(" N,"), HasSubstr(" mN,"),

@@ -52,6 +52,11 @@ TEST_F(ThetaDoubts, AJointThatTheRobotFileExplainsBetterIsNamed) {
   EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
   found_.fitted.by_file[1] = 0.1 * found_.fitted.torque[1];
   EXPECT_THAT(theta_doubts(model_, found_), ElementsAre(HasSubstr(model_.joints[1].name)));
+  // A doubled torque of the elbow made the joint before it so.
+  found_ = plausible(model_);
+  found_.held_out.by_theta[1] = 0.187 * found_.held_out.torque[1];
+  found_.held_out.by_file[1] = 0.142 * found_.held_out.torque[1];
+  EXPECT_THAT(theta_doubts(model_, found_), ElementsAre(HasSubstr(model_.joints[1].name)));
 }
 
 TEST_F(ThetaDoubts, NoiseAndTorquesNextToNothingDoNotCount) {
