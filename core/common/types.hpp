@@ -1,6 +1,6 @@
 #pragma once
 // Vector and matrix types of fixed capacity, for arms with up to kMaxJoints joints. Their sizes are set at
-// run time, but their memory is reserved at compile time, so they never allocate.
+// run time, but their capacity is fixed at compile time, so they never allocate.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -61,7 +61,7 @@ std::vector<GainField> make_fields() {
        "rotates towards the target by interpolation (slerp)",
        &Gains::slerpAngularErrorThreshold, true, true},
       of_law({"interpolation_gain_scale", "1",
-              "factor on Kp of the rotations and on Kd of the last three joints during a slerp",
+              "factor on the rotational Kp, and on Kd of the last three joints, during a slerp",
               &Gains::interpolation_gain_scale, false}),
       of_law({"adaptation_gain", "1", "adaptation rate gamma in theta <- theta - gamma Y^T S dt",
               &Gains::adaptation_gain, false}),

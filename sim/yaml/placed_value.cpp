@@ -127,7 +127,7 @@ class PlacedBuilder final : public YAML::EventHandler {
 
   void open(const YAML::Mark& mark, PlacedValue::Kind kind, YAML::anchor_t anchor) {
     if (!open_.empty() && open_.back().value->kind == PlacedValue::Kind::kMap && !open_.back().key)
-      fail(mark, "a key is a list or a map; expected a text before ':'");
+      fail(mark, "a key is a list or a map; write a text before the ':'");
     if (open_.size() == kMaxDepth) fail(mark, fmt::format("nested more than {} levels deep", kMaxDepth));
     open_.push_back({start(mark, kind), anchor, {}, {}});
   }
@@ -196,7 +196,8 @@ const PlacedValue* PlacedValue::find(std::string_view key) const {
 
 Placed read_placed(const std::string& text, const std::string& file) {
   if (text.size() > kMaxBytes) {
-    throw InputError(fmt::format("{}: larger than {} MB; expected a smaller file", file, kMaxBytes >> 20));
+    throw InputError(InputPlace{file},
+                     fmt::format("larger than {} MB; expected a smaller file", kMaxBytes >> 20));
   }
   check_characters(text, file);
   const std::size_t before = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
@@ -213,7 +214,7 @@ Placed read_placed(const std::string& text, const std::string& file) {
   }
   Placed root = builder.take_root();
   if (!root || root->kind == PlacedValue::Kind::kNull)
-    throw InputError(file + ": empty, or nothing but comments; expected a YAML document");
+    throw InputError(InputPlace{file}, "empty, or nothing but comments; expected a YAML document");
   return root;
 }
 

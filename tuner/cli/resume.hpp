@@ -50,7 +50,7 @@ auto load_inputs(const RunPlace& place, const Load& load) {
     return load();
   } catch (const InputError& error) {
     if (!place.resume) throw;
-    throw InputError(error.what() + where_copies_are(place.folder));
+    throw error.with(where_copies_are(place.folder));
   }
 }
 

@@ -46,10 +46,11 @@ std::vector<std::string> names_in(const std::string& folder) {
     if (!names_in(entry.path().string()).empty()) below.push_back(entry.path().string());
   }
   std::sort(below.begin(), below.end());
-  throw InputError(fmt::format(
-      "{}: has no rollout_*.csv; give {}", folder,
-      below.empty() ? "a run folder of tune, or of simulate with --out"
-                    : fmt::format("one of its subfolders that have such files: {}", fmt::join(below, ", "))));
+  throw InputError(InputPlace{folder},
+                   fmt::format("has no rollout_*.csv; give {}",
+                               below.empty() ? "a run folder of tune, or of simulate with --out"
+                                             : fmt::format("one of its subfolders that have such files: {}",
+                                                           fmt::join(below, ", "))));
 }
 
 /// The study's scenarios; none if there is no study, or its files were moved.
@@ -72,7 +73,8 @@ Scenario found_scenario(const std::string& name, const std::string& rollout, con
   }
   const auto bundled = bundled_names("scenarios");
   if (std::find(bundled.begin(), bundled.end(), name) != bundled.end()) return load_scenario(name);
-  throw InputError(fmt::format("{}: scenario '{}' {}; give its file: --scenarios FILE", rollout, name, told));
+  throw InputError(InputPlace{rollout},
+                   fmt::format("scenario '{}' {}; give its file: --scenarios FILE", name, told));
 }
 
 /// A plan for another scenario than the rollout's would mean nothing.
@@ -80,9 +82,10 @@ void refuse_changed(const Scenario& scenario, const std::string& run, const RunI
   const std::string changed = changed_input(inputs, scenario.inputs);
   if (changed.empty()) return;
   throw InputError(
-      fmt::format("{}: this file has changed since the run {} simulated the scenario {}; simulate the "
+      InputPlace{changed},
+      fmt::format("this file has changed since the run {} simulated the scenario {}; simulate the "
                   "scenario again, or use the file as it is now with --scenarios {}",
-                  changed, run, scenario.name, scenario.name));
+                  run, scenario.name, scenario.name));
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ int run(const Arguments& args, RankGroup& team) {
   std::vector<std::string> files;
   add_inputs(study.scenarios, files);
   if (const std::string changed = changed_input(inputs_of_run(args.run), files); !changed.empty())
-    throw InputError(
-        fmt::format("{}: this file has changed since the run {}; tune again", changed, args.run));
+    throw InputError(InputPlace{changed},
+                     fmt::format("this file has changed since the run {}; tune again", args.run));
   if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const Gains best = load_gains(gains_of(args), joint_names(*study.scenarios.front().robot));
   const HashedTable evaluations = read_hashed_table(run_file(args.run, "evaluations.csv"));

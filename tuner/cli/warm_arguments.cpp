@@ -32,10 +32,9 @@ void apply(const WarmArguments& args, Study& study) {
   const bool refined = !args.parameters.empty() || args.box > 0.0 || args.step > 0.0;
   if (args.from.empty() && !refined) return;
   if (args.from.empty() && !study.warm) {
-    throw InputError(
-        fmt::format("{}: --warm-parameters, --warm-box and --warm-step need a warm start, and the study "
-                    "has none; give --warm-start too",
-                    study.source));
+    throw InputError(InputPlace{study.source},
+                     "--warm-parameters, --warm-box and --warm-step need a warm start, and the study "
+                     "has none; give --warm-start too");
   }
   WarmStart warm = study.warm.value_or(WarmStart{});
   if (!args.from.empty())

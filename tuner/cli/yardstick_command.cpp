@@ -21,8 +21,8 @@ namespace {
 
 int run(const YardstickRequest& request) {
   if (request.folder.empty() || !is_there(request.folder + "/."))
-    throw InputError(request.folder +
-                     ": is not a folder; give the run folder of 'tune' or of 'simulate --out'");
+    throw InputError(InputPlace{request.folder},
+                     "is not a folder; give the run folder of 'tune' or of 'simulate --out'");
   refuse_used_output(request);
   const Stopwatch watch;
   const std::vector<Scenario> scenarios = rollout_scenarios(request.folder, request.scenarios);
@@ -79,7 +79,7 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       "and uses the exact model of the arm and the future motion of targets and obstacles. It keeps the\n"
       "limits of joint position, velocity and torque at its knots. It is the best plan found from one\n"
       "first guess: a local optimum. The plan of a switch or return has the least time, the plan of a lap\n"
-      "the least error. For a lap, the RMS gaze errors at the recorded times of the rollout are compared.\n\n"
+      "the least error. For a lap, the RMS gaze errors of plan and rollout are compared, at the recorded times.\n\n"
       "If the scenario has obstacles, a plan keeps at least obstacleInfluenceRadius (a gain) away from\n"
       "them, or the least distance of the rollout during the event if that is smaller. If no such plan is\n"
       "found, the obstacles are ignored, and the column status shows that. Scenarios are left out if they\n"

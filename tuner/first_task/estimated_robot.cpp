@@ -71,8 +71,8 @@ std::string estimated_robot_yaml(const RobotFile& file, const RobotModel& estima
               : fmt::format("{}", fmt::join(estimated.estimated_rotors, ", ")),
           fmt::join(figures, ", "));
   if (file.root && (!says_the_same(text, file) || names_waypoints(file))) {
-    throw InputError(fmt::format(
-        "{}: the file gives no rotor inertia; add the line 'rotor_inertia: estimated' to it", file.path));
+    throw InputError(InputPlace{file.path},
+                     "the file gives no rotor inertia; add the line 'rotor_inertia: estimated' to it");
   }
   return text;
 }

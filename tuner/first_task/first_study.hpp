@@ -1,6 +1,6 @@
 #pragma once
 // Creates the study (armtune's description of a tuning problem) for a first task, and tests whether gains
-// satisfy its constraints. If the start gains do, the search always ends with feasible gains.
+// satisfy its constraints. If the start gains satisfy them, the search always ends with feasible gains.
 
 #include <string>
 

@@ -154,9 +154,9 @@ FirstTask find_first_task(const std::string& robot, const TaskOptions& options, 
   std::vector<std::string> inputs;
   if (const auto cell = cell_of(file, inputs)) {
     if (options.floor) {
-      throw InputError(fmt::format(
-          "{}: the key 'cell' describes the surroundings; leave --floor out, and give 'floor' under 'cell'",
-          file.path));
+      throw InputError(
+          InputPlace{file.path},
+          "the key 'cell' describes the surroundings; leave --floor out, and give 'floor' under 'cell'");
     }
     in_cell.cell = *cell;
   }

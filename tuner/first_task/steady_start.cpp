@@ -149,10 +149,12 @@ Study load_steady_study(const std::string& name_or_path, const std::string& cont
     return steady;
   } catch (const InputError& e) {
     if (failed.completes) return study;  // it can be tuned as it is
-    throw InputError(fmt::format(
-        "{}: the start gains fail ({}), so the objective cannot be relative to them. Start gains computed by "
-        "armtune complete every scenario, but they do not fit the study: {}",
-        study.source, failed.why, e.what()));
+    throw InputError(
+        InputPlace{study.source},
+        fmt::format(
+            "the start gains fail ({}), so the objective cannot be relative to them. Start gains computed by "
+            "armtune complete every scenario, but they do not fit the study: {}",
+            failed.why, e.what()));
   }
 }
 

@@ -47,7 +47,7 @@ struct ArmShape {
   bool operator==(const ArmShape&) const = default;
 
   static void declare(auto& f, auto& shape) {
-    f.type("Shape")("joint", shape.joint, "Index of the joint that it moves with; -1: fixed to the base.")(
+    f.type("Shape")("joint", shape.joint, "Index of the joint that moves this shape; -1: fixed to the base.")(
         "kind", shape.kind);
     f("size", shape.size,
       "Dimensions, m. Box: edges. Cylinder: radius, length along z. Sphere: radius. Capsule: radius, length "

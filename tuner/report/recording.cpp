@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/control/state_machine.hpp"
 #include "tuner/report/run_builder.hpp"
 
@@ -49,8 +50,8 @@ int state_in(const NumberTable& rollout, std::size_t row, std::size_t column) {
   const bool known =
       state >= 0.0 && state <= static_cast<double>(ControlState::kFollowPlan) && state == std::floor(state);
   if (!known)
-    throw InputError(fmt::format("{}:{}: {} in column state is not a state of the controller", rollout.name(),
-                                 row + 2, shown_cell(state)));
+    throw InputError(at_line(rollout.name(), row + 2, "state"),
+                     fmt::format("{} in column state is not a state of the controller", shown_cell(state)));
   return static_cast<int>(state);
 }
 

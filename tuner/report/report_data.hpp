@@ -74,7 +74,7 @@ struct Plan {
   std::vector<std::pair<std::string, std::string>> figures;
 
   static void declare(auto& f, auto& plan) {
-    f.type("Plan", "A plan, and how well it was solved. Its limits are in the only scenario.");
+    f.type("Plan", "A plan, and how well it was solved. The run's only scenario has its limits.");
     f("start", plan.start, "Time of its scenario at which it begins, s; the page counts from there.");
     f("scenario", plan.scenario)("figures", plan.figures, "Name and value: knots, violation, residuals ...");
   }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "tuner/report/sections.hpp"
 #include "tuner/report/tables.hpp"
 #include "tuner/robustness/limits.hpp"
@@ -109,8 +110,8 @@ long sample_in(const CsvTable& samples, std::size_t row, std::size_t column) {
   constexpr double kMost = 1e15;
   const double number = samples.number(row, column);
   if (!(number >= 0.0 && number <= kMost)) {
-    throw InputError(fmt::format("{}:{}: '{}' is not a sample number", samples.name(), row + 2,
-                                 samples.text(row, column)));
+    throw InputError(at_line(samples.name(), row + 2, samples.header()[column]),
+                     fmt::format("'{}' is not a sample number", samples.text(row, column)));
   }
   return static_cast<long>(number);
 }

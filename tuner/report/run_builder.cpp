@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "tuner/report/replay.hpp"
 
 namespace armtune::internal::report {
@@ -37,12 +38,14 @@ std::vector<double> rising_times(const NumberTable& table) {
   const std::vector<double>& times = table.numbers(table.column("time"));
   for (std::size_t r = 0; r < times.size(); ++r) {
     if (!(std::abs(times[r]) <= kMost)) {
-      throw InputError(fmt::format("{}:{}: {} in column time is not a time between -{:g} and {:g} s",
-                                   table.name(), r + 2, shown_cell(times[r]), kMost, kMost));
+      throw InputError(at_line(table.name(), r + 2, "time"),
+                       fmt::format("{} in column time is not a time between -{:g} and {:g} s",
+                                   shown_cell(times[r]), kMost, kMost));
     }
     if (r > 0 && times[r] < times[r - 1]) {
-      throw InputError(fmt::format("{}:{}: time {} comes after {}; times must not decrease", table.name(),
-                                   r + 2, times[r], times[r - 1]));
+      throw InputError(
+          at_line(table.name(), r + 2, "time"),
+          fmt::format("time {} comes after {}; times must not decrease", times[r], times[r - 1]));
     }
   }
   return times;

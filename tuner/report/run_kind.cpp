@@ -35,7 +35,7 @@ RunKind kind_of(const std::string& folder) {
     return std::filesystem::exists(folder + "/" + file, ignored);
   };
   if (!is_there(folder + "/."))
-    throw InputError(folder + ": there is no such folder; give the folder of an earlier run");
+    throw InputError(InputPlace{folder}, "there is no such folder; give the folder of an earlier run");
   if (const auto kind = journal_kind(folder)) return *kind;
   if (has("pareto.csv")) return RunKind::kPareto;
   if (has("samples.csv")) return RunKind::kRobustness;
@@ -43,8 +43,8 @@ RunKind kind_of(const std::string& folder) {
   if (has("evaluations.csv")) return RunKind::kTune;
   if (has("errors.csv")) return RunKind::kSimulate;
   if (has("motion.csv")) return RunKind::kPlan;
-  throw InputError(folder +
-                   ": contains none of errors.csv, evaluations.csv, pareto.csv, samples.csv, comparison.csv "
+  throw InputError(InputPlace{folder},
+                   "contains none of errors.csv, evaluations.csv, pareto.csv, samples.csv, comparison.csv "
                    "and motion.csv; give the folder of a run of simulate, tune, pareto, robustness, compare "
                    "or plan");
 }

@@ -40,7 +40,7 @@ class Recordings {
       runs -= files_[s].size();
       --scenarios;
     }
-    tell_coarse();
+    tell_of_replays();
   }
 
  private:
@@ -194,9 +194,9 @@ class Recordings {
 
   void tell(const ReportScenario& shown, std::size_t obstacles) {
     if (shown.obstacles.size() < obstacles) {
-      data_.thinned.push_back(
-          fmt::format("{} of {} obstacles in the replay of {}, those farthest from the tool",
-                      obstacles - shown.obstacles.size(), obstacles, shown.name));
+      few_obstacles_.push_back(shown.name);
+      all_obstacles_ += obstacles;
+      hidden_obstacles_ += obstacles - shown.obstacles.size();
     }
     for (const Run& run : shown.runs) {
       if (run.replay.n > 1) coarsest_ = std::max(coarsest_, run.replay.dt);
@@ -209,7 +209,14 @@ class Recordings {
     }
   }
 
-  void tell_coarse() {
+  void tell_of_replays() {
+    if (!few_obstacles_.empty()) {
+      const bool one = few_obstacles_.size() == 1;
+      data_.thinned.push_back(
+          fmt::format("{} of {} obstacles in the replay{} of {}, those farthest from the tool",
+                      hidden_obstacles_, all_obstacles_, one ? "" : "s",
+                      one ? few_obstacles_[0] : fmt::format("{} scenarios", few_obstacles_.size())));
+    }
     constexpr double kWorthAWord = 0.1;  // [s]
     if (coarsest_ > kWorthAWord)
       data_.thinned.push_back(fmt::format(
@@ -222,8 +229,10 @@ class Recordings {
   const Scene& scene_;
   std::size_t room_;
   ReportData& data_;
-  std::vector<std::vector<File>> files_;  ///< per scenario
-  double coarsest_ = 0.0;                 ///< step of a replay [s]
+  std::vector<std::vector<File>> files_;                  ///< per scenario
+  double coarsest_ = 0.0;                                 ///< step of a replay [s]
+  std::vector<std::string> few_obstacles_;                ///< scenarios that show fewer than they have
+  std::size_t all_obstacles_ = 0, hidden_obstacles_ = 0;  ///< of those scenarios
 };
 
 }  // namespace

@@ -95,8 +95,8 @@ struct Run {
     f("end", run.end, "Time at which the run ended, s; below the duration if it did not complete.");
     f("states", run.states, "Changes, in order.")("slerps", run.slerps, "Start and end of every slerp, s.");
     f("time", run.time,
-      "Times, s, not decreasing. A short run has every sample. A longer one has two points per bucket: the "
-      "smallest and the largest value of each column, in order of time.");
+      "Times, s, not decreasing. A short run has every sample. A longer one is cut into equal intervals "
+      "of two points each: of every column the smallest and the largest value, in the order in which they occur.");
     f("columns", run.columns)("replay", run.replay);
   }
 };

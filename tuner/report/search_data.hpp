@@ -31,7 +31,8 @@ struct ThinnedEvaluations {
   bool more_phase_runs = false;
 
   static void declare(auto& f, auto& all) {
-    f.type("ThinnedEvaluations", "Counts of all evaluations, if there are too many to show.");
+    f.type("ThinnedEvaluations",
+           "How many evaluations there are, of each kind; used if there are too many to draw all.");
     f("number", all.number, "Number of each shown evaluation.")("total", all.total)("feasible", all.feasible);
     f("native", all.native)("without_objective", all.without_objective);
     f("phase_runs", all.phase_runs, "The first 500.")("more_phase_runs", all.more_phase_runs);
@@ -78,8 +79,8 @@ struct Sensitivity {
 
   static void declare(auto& f, auto& one) {
     f.type("Sensitivity")("gain", one.gain);
-    f("importance", one.importance, "Increase of the merit if this gain alone returns to its start value.",
-      kOrNull);
+    f("importance", one.importance,
+      "How much worse (larger) the merit becomes if this gain alone returns to its start value.", kOrNull);
     f("local", one.local, "Largest relative change of the merit for a small step of the gain.", kOrNull);
     f("elasticity", one.elasticity, "", kOrNull)("rank_correlation", one.rank_correlation, "", kOrNull);
   }

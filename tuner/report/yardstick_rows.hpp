@@ -27,7 +27,7 @@ struct YardstickRow {
     f("time", row.time, "Time at which it begins, s.");
     f("reached", row.reached, "Result of the rollout in `unit`; null if the goal was not reached.", kOrNull);
     f("limit", row.limit, "Best possible result in `unit`; null if none was found.", kOrNull);
-    f("ratio", row.ratio, "`reached` divided by `limit`; null if that is impossible.", kOrNull)(
+    f("ratio", row.ratio, "`reached` divided by `limit`; null if `limit` is missing or zero.", kOrNull)(
         "unit", row.unit, {"s", "rad"});
     f("held_back_by", row.held_back_by, "The limit of the arm that restricts the plan most.");
     f("words", row.words,

@@ -47,7 +47,7 @@ const std::array<MarginField, kMarginCount>& margin_fields() {
       {"gain_factor", "1",
        "largest common factor on task_space_gains_p, task_space_gains_d and the controller's own gains",
        [](const Scenario&) { return 1.0; }, scale_gains, EdgeSearch{.stride = 1.25, .last = 100.0}},
-      {"control_rate", "Hz", "lowest control rate; the torque delay keeps its number of control periods",
+      {"control_rate", "Hz", "lowest control rate; the torque delay stays the same number of control periods",
        rate, set_rate, EdgeSearch{.stride = 0.8, .last = 10.0}},
       {"velocity_noise", "rad/s",
        "largest standard deviation of the velocity noise; the position noise is scaled by the same factor. "

@@ -33,7 +33,8 @@ class Watch {
       for (Eigen::Index i = 0; i < velocity_limits_.size(); ++i) {
         if (std::abs((*o.qd)[i]) / velocity_limits_[i] <= limit.value) continue;
         const std::string& joint = joints_[static_cast<std::size_t>(i)];
-        failure_ = {fmt::format("{} breaks {} at {:.3f} s", joint, to_string(limit), o.time), joint, o.time};
+        failure_ = {fmt::format("{} breaks {} at time {:.3f} s", joint, to_string(limit), o.time), joint,
+                    o.time};
         return false;
       }
     }

@@ -88,12 +88,13 @@ std::vector<double> ParameterSpace::point_of(const Gains& gains) const {
 void validate(const ParameterSpace& space, const std::string& where) {
   if (space.free.empty())
     throw InputError(
-        where +
-        ": no parameter to tune; list some under 'parameters'. If the study has no such list, no gain of " +
-        space.start.controller + " acts in its scenarios: take another controller");
+        InputPlace{where},
+        "no parameter to tune; list some under 'parameters'. If the study has no such list, no gain of " +
+            space.start.controller + " acts in its scenarios: take another controller");
   for (const Parameter& p : space.free) {
     const auto fail = [&](const std::string& what) {
-      throw InputError(fmt::format("{}: parameter {}: {}", where, p.entry.name, what));
+      throw InputError(InputPlace{where, 0, p.entry.name},
+                       fmt::format("parameter {}: {}", p.entry.name, what));
     };
     if (p.lower == 0.0 && p.upper == 0.0) {
       fail(

@@ -50,10 +50,12 @@ void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const P
   warm.source = find_data_file("gains", file, relative_to);
   warm.gains = load_gains(warm.source, joints);
   if (warm.gains.controller != space.start.controller) {
-    throw InputError(fmt::format(
-        "{}: holds gains of the controller {}, but the study tunes the controller {}; give a warm start for "
-        "the study's controller",
-        warm.source, warm.gains.controller, space.start.controller));
+    throw InputError(
+        InputPlace{warm.source},
+        fmt::format(
+            "holds gains of the controller {}, but the study tunes the controller {}; give a warm start for "
+            "the study's controller",
+            warm.gains.controller, space.start.controller));
   }
 }
 
@@ -67,9 +69,10 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
     const GainEntry& entry = space.free[i].entry;
     if (!has(warm.gains, entry)) {
       throw InputError(
-          fmt::format("{}: no {} is given, but the study tunes this gain; add the gain, or name the gains "
-                      "to take from this file under 'parameters'",
-                      warm.source, entry.name));
+          InputPlace{warm.source},
+          fmt::format("no {} is given, but the study tunes this gain; add the gain to this file, or list "
+                      "in the study under warm_start/parameters the gains to take from it",
+                      entry.name));
     }
     value(there, entry) = value(warm.gains, entry);
   }

@@ -1,6 +1,6 @@
 #pragma once
-// A warm start: the search starts at gains that an earlier run found. The objective stays relative to the
-// study's own start gains.
+// A warm start: the search starts at gains that an earlier run found. The objective is still
+// divided by that of the study's own start gains.
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// The control law of Cartesian impedance control, as the example controllers for Franka's arms and the
+// Cartesian impedance control, in the form of the example controllers for Franka's arms and the
 // controllers derived from them have it. It has no feed-forward: the tool hangs on a spring and a damper.
 
 #include "core/control/laws/controller_kind.hpp"

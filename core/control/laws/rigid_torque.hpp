@@ -1,6 +1,7 @@
 #pragma once
-// The torques of the controller's model of an arm without friction: gravity, and Coriolis and centrifugal
-// torques. Robots with a torque interface add gravity themselves; impedance controllers add the others.
+// The gravity torque, and the Coriolis and centrifugal torque, of the arm model that a controller has. The
+// model has no friction. Franka's robots add the gravity torque themselves, so that impedance controllers
+// for them add only the Coriolis and centrifugal torque.
 
 #include "core/control/measured_arm.hpp"
 #include "core/robot/slotine_li.hpp"

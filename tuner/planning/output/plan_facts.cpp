@@ -86,11 +86,11 @@ std::string between_words(const std::vector<LimitUse>& uses) {
     if (worst.use == nullptr) continue;
     const bool distance = std::string(kind) == "distance";
     // Of a distance the share is limit over value.
-    parts.push_back(
-        distance
-            ? fmt::format("{} at least {:.4f} times the clearance", worst.use->limit, 1.0 / worst.between)
-            : fmt::format("{} at most {:.4f} times its limit",
-                          report::limit_words(worst.use->limit, worst.use->part), worst.between));
+    parts.push_back(distance
+                        ? fmt::format("{} at least {:.4f} times the required clearance", worst.use->limit,
+                                      1.0 / worst.between)
+                        : fmt::format("{} at most {:.4f} times its limit",
+                                      report::limit_words(worst.use->limit, worst.use->part), worst.between));
   }
   return parts.empty() ? std::string() : fmt::format("between the knots: {}", fmt::join(parts, ", "));
 }

@@ -1,6 +1,7 @@
 #pragma once
-// The matrix K of the linear system that each interior point step solves. K is the sum of a diagonal matrix,
-// the curvature, and J^T D J for each Jacobian J, where D are diagonal weights. The sparsity pattern of K is
+// The matrix K of the linear system that each interior point step solves. K is the sum of
+// three kinds of terms: a diagonal matrix; the matrix of second derivatives (curvature); and J^T D J for
+// every Jacobian J, with diagonal weights D. The sparsity pattern of K is
 // found once; each assembly then adds small dense products at known places.
 
 #include "tuner/planning/solver/block_rows.hpp"

@@ -22,9 +22,10 @@ std::size_t nearest_row(const std::vector<double>& time, const PlanTask& task) {
   }
   if (time.empty() || !(std::abs(time[row] - task.at) <= kApart))
     throw InputError(
-        fmt::format("{}: no row lies within {} s of {} s, where the task {} begins; give a rollout that "
+        InputPlace{shown_path(task.start.rollout)},
+        fmt::format("no row lies within {} s of {} s, where the task {} begins; give a rollout that "
                     "covers this time, or change 'at' in the task",
-                    shown_path(task.start.rollout), kApart, task.at, task.name));
+                    kApart, task.at, task.name));
   return row;
 }
 
@@ -83,10 +84,10 @@ ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot
     for (Eigen::Index k = 0; k < rows; ++k) {
       const std::size_t row = first + static_cast<std::size_t>(k);
       if (!std::isfinite(values[row]))
-        throw InputError(
-            fmt::format("{}: the row at {} s has no finite value of {}; give a complete rollout, or "
-                        "another 'start'",
-                        shown_path(task.start.rollout), time[row], column));
+        throw InputError(InputPlace{shown_path(task.start.rollout)},
+                         fmt::format("the row at {} s has no finite value of {}; give a complete rollout, or "
+                                     "another 'start'",
+                                     time[row], column));
       into(joint, k) = values[row];
     }
   };

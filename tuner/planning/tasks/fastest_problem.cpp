@@ -42,9 +42,10 @@ PlanProblem fastest_problem(const PlanCommon& common) {
   const double turn = scenario.path.period();
   if (turn == 0.0)
     throw InputError(
-        fmt::format("{}: the tool path of {} stands still or does not close, so that a 'fastest' task cannot "
+        InputPlace{shown_path(common.task.source)},
+        fmt::format("the tool path of {} stands still or does not close, so that a 'fastest' task cannot "
                     "go around it; give a scenario with a closed path",
-                    shown_path(common.task.source), scenario.name));
+                    scenario.name));
   const double from = common.task.at;
   const ToolCurve curve = [path = scenario.path, from](double s) { return path.at(from + s); };
   PlanProblem problem;

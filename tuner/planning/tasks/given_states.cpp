@@ -35,9 +35,9 @@ void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const 
   for (std::size_t row = 0; row < value.size(); ++row) {
     const bool below = value[row] < term.lower - kRounding;
     if (!below && value[row] <= term.upper + kRounding) continue;
-    throw InputError(fmt::format("{}: {}: {} of {} would be {:.4g} {}, but the task's limit is {:.4g}; {}",
-                                 shown_path(task.source), key, term.name, term.rows[row],
-                                 term.natural(row, value[row]), term.units[row],
+    throw InputError(InputPlace{shown_path(task.source)},
+                     fmt::format("{}: {} of {} would be {:.4g} {}, but the task's limit is {:.4g}; {}", key,
+                                 term.name, term.rows[row], term.natural(row, value[row]), term.units[row],
                                  term.natural(row, below ? term.lower : term.upper), advice));
   }
 }

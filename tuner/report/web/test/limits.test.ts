@@ -82,7 +82,7 @@ test("stretches are told in order of time whatever their side", () => {
   assert.equal(stretchWords({ active_lower: [], active_upper: [] }), "");
 });
 
-test("short motions are played slowly enough to be seen, long ones as they are", () => {
+test("short motions are played slowly enough to be seen, long ones at their true speed", () => {
   for (const duration of [0.13, 0.6, 1.1, 3, 10, 60]) {
     const speed = speedFor(duration);
     assert.ok(speed <= 1);

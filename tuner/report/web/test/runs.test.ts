@@ -33,7 +33,7 @@ test("a reader starts within the run that is shown", () => {
   assert.ok(openingTime(undefined, 10) <= 10);
 });
 
-test("a time axis says where a clock does not begin at zero", () => {
+test("if the times of a run do not begin at zero, the time axis names the first", () => {
   assert.equal(timeLabel([run(10)]), "time [s]");
   assert.equal(timeLabel([]), "time [s]");
   assert.equal(timeLabel([{ start: 8.25 }]), "time since 8.25 s [s]");
