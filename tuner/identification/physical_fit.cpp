@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 #include "armtune/error.hpp"
 #include "tuner/identification/physical_cone.hpp"
@@ -13,9 +14,8 @@ namespace {
 constexpr double kFinest = 1e-5;
 /// An eigenvalue of a matrix of correlations is not negative by more than this.
 constexpr double kRounding = 1e-6;
-/// Factors on the prior's weight that are tried: a standard deviation of 1 % at most.
-constexpr double kStep = 2.0;
-constexpr double kStrongest = 1e4;
+/// So often the prior's weight is doubled at most: down to a standard deviation of 1 %.
+constexpr int kDoublings = 13;
 
 /// Weight matrix: inverse of the covariance, floored. Along what was not excited it is next to nothing, so
 /// that the prior decides there.
@@ -90,8 +90,8 @@ PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimat
   // Noise of positions makes the stated deviations too small: then no theta is as near as they ask for.
   const double nearest = fit.distance(minimum.theta);
   const double allowed = nearest + std::max(nearest, static_cast<double>(base.rank()));
-  for (double strength = kStep; strength <= kStrongest; strength *= kStep) {
-    const PhysicalMinimum nearer = fit.minimum(strength);
+  for (int doublings = 1; doublings <= kDoublings; ++doublings) {
+    const PhysicalMinimum nearer = fit.minimum(std::exp2(doublings));
     if (!nearer.theta.allFinite() || fit.distance(nearer.theta) > allowed) break;
     minimum.theta = nearer.theta;
   }
