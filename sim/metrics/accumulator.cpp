@@ -142,14 +142,15 @@ void MetricAccumulator::add_limits(const Observation& o) {
 
 void MetricAccumulator::add_acceleration(const JointVector& velocity) {
   // Two periods give an acceleration, three a jerk.
+  const double rate = 1.0 / period_;
   for (Eigen::Index i = 0; i < velocity.size(); ++i) {
-    const double acceleration = (velocity[i] - last_velocity_[i]) / period_;
+    const double acceleration = (velocity[i] - last_velocity_[i]) * rate;
     if (periods_ > 0) {
       acceleration_.add(acceleration);
       if (per_acceleration_limit_[i] > 0.0)
         acceleration_ratio_.add(acceleration * per_acceleration_limit_[i]);
     }
-    if (periods_ > 1) jerk_.add((acceleration - last_acceleration_[i]) / period_);
+    if (periods_ > 1) jerk_.add((acceleration - last_acceleration_[i]) * rate);
     last_acceleration_[i] = acceleration;
     last_velocity_[i] = velocity[i];
   }

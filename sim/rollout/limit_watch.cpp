@@ -48,6 +48,7 @@ void LimitWatch::look(const Observation& o) {
   const JointVector& q = *o.q;
   const JointVector& qd = *o.qd;
   const JointVector& effort = o.control->commanded;
+  const double rate = first_ ? 0.0 : 1.0 / (o.time - last_time_);
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     if (std::abs(qd[i]) > velocity_[i]) {
       note(JointLimit::kVelocity, i, o.time, qd[i], std::copysign(velocity_[i], qd[i]));
@@ -57,7 +58,7 @@ void LimitWatch::look(const Observation& o) {
     if (std::abs(effort[i]) > effort_[i]) {
       note(JointLimit::kEffort, i, o.time, effort[i], std::copysign(effort_[i], effort[i]));
     }
-    const double acceleration = first_ ? 0.0 : (qd[i] - last_velocity_[i]) / (o.time - last_time_);
+    const double acceleration = (qd[i] - last_velocity_[i]) * rate;
     if (std::abs(acceleration) > acceleration_[i]) {
       note(JointLimit::kAcceleration, i, o.time, acceleration, std::copysign(acceleration_[i], acceleration));
     }

@@ -108,9 +108,11 @@ void add_margins_command(CLI::App& app, int& exit_code) {
       "--scenarios", args->scenarios,
       "scenarios to simulate (default: all scenarios in the run's study; without a study: fixed_target, "
       "moving_target, target_switch, obstacle_pass and their realistic_ variants)");
-  command->add_option("--limit", args->limits,
-                      "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated "
-                      "(default: joint velocities and positions within the arm's limits, and no contact)");
+  command->add_option(
+      "--limit", args->limits,
+      "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated "
+      "(default: the arm's limits of velocity, position and, if its file has them, acceleration; and "
+      "no contact)");
   add_stepper_option(*command, args->stepper);
   command->add_option("--out", args->folder, "new folder for margins.csv and run.yaml (default: no files)");
   command->add_option("--workers", args->options.workers, "number of threads; results do not depend on it")

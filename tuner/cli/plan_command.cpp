@@ -42,9 +42,9 @@ constexpr const char* kFooter =
     "acceleration and jerk that the task gives. The task can also give the start acceleration, with the key\n"
     "'acceleration' under 'start'. Without this key it is zero in two cases: the arm starts at rest and the\n"
     "task has jerk limits, or the task is a 'move' without 'start'. Otherwise the planner chooses it.\n"
-    "Limits of torque, tool path, gaze and distance are kept at the knots of the time grid only. How much of these limits the motion uses between the\n"
-    "knots is printed, and listed in limits.csv. The folder also has motion.csv (the motion at equal time\n"
-    "steps) and report.html (replay and limits). In a scenario with a 'cell' the arm keeps its clearance\n"
+    "Limits of torque, tool path, gaze and distance are kept at the knots of the time grid only. How\n"
+    "much of these limits the motion uses between the knots is printed, and listed in limits.csv. The\n"
+    "folder also has motion.csv (the motion at equal time steps) and report.html (replay and limits). In a scenario with a 'cell' the arm keeps its clearance\n"
     "from the cell and from itself. Without a cell these collisions are not checked. Run a trajectory\n"
     "slowly first.\n\n"
     "Bundled tasks:\n";

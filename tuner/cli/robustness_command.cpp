@@ -81,8 +81,8 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0L, 1000000000L));
   command->add_option(
       "--limit", args->limits,
-      "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated (default: joint "
-      "velocities and positions within the arm's limits, and no contact)");
+      "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated (default: the "
+      "arm's limits of velocity, position and, if its file has them, acceleration; and no contact)");
   CLI::Option* payload = nullptr;
   for (const PerturbationField& f : perturbation_fields()) {
     std::string option = fmt::format("--{}", f.name);

@@ -96,7 +96,8 @@ struct Run {
     f("states", run.states, "Changes, in order.")("slerps", run.slerps, "Start and end of every slerp, s.");
     f("time", run.time,
       "Times, s, not decreasing. A short run has every sample. A longer one is cut into equal intervals "
-      "of two points each: of every column the smallest and the largest value, in the order in which they occur.");
+      "of two points each: of every column the smallest and the largest value, in the order in which they "
+      "occur.");
     f("columns", run.columns)("replay", run.replay);
   }
 };

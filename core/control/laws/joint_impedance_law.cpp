@@ -68,7 +68,8 @@ ControllerKind joint_impedance_controller() {
        own_gain(kJoints, "joint_impedance_d", "N m s/rad", "damping d of each joint", 10.0),
        not_tuned(own_gain(
            kScalar, "joint_impedance_velocity_factor", "",
-           "share c of the desired velocity in the damping torque d (c qd' - q'); 1: damps the velocity error, 0: the whole velocity",
+           "share c of the desired velocity in the damping torque d (c qd' - q'); 1: damps the velocity "
+           "error, 0: the whole velocity",
            1.0)),
        not_tuned(own_gain(kScalar, "joint_impedance_coriolis_factor", "",
                           "factor of the Coriolis and centrifugal torques that the controller adds", 1.0)),

@@ -64,6 +64,9 @@ TEST(KeptLimits, WhatIsLostIsNamed) {
               testing::HasSubstr("exceeds 0.9 of its limit"));
   EXPECT_THAT(lost_limits(with(Metric::kJointPositionMinMargin, -0.1), 0.9),
               testing::HasSubstr("position limits"));
+  EXPECT_THAT(lost_limits(with(Metric::kJointAccelerationMaxRatio, 0.95), 0.9),
+              testing::HasSubstr("the acceleration of a joint exceeds 0.9"));
+  EXPECT_FALSE(keeps_limits(with(Metric::kJointAccelerationMaxRatio, 0.95), 0.9));
   EXPECT_THAT(lost_limits(with(Metric::kClearanceFloor, -0.1), 0.9), testing::HasSubstr("the floor"));
 }
 

@@ -74,6 +74,22 @@ TEST(Corner, MissesMoreTheEarlierALoopBreaksOff) {
   EXPECT_GE(last, 1.0);
 }
 
+TEST(Corner, LacksWhatAnAccelerationIsBeyondItsLimit) {
+  Scenario scenario = test::scenario_of("moving_target", 5.0);
+  RolloutResult result;
+  for (const Metric ratio : {Metric::kJointVelocityMaxRatio, Metric::kJointAccelerationMaxRatio})
+    result.metrics[ratio] = ratio == Metric::kJointVelocityMaxRatio ? 0.5 : 1.25;
+  result.metrics[Metric::kJointPositionMinMargin] = 1.0;
+  result.metrics[Metric::kJointEffortSaturatedPeriods] = 0.0;
+  result.metrics[Metric::kObstacleMinClearance] = 1.0;
+  const MarginDemand demand{MarginKind::kGainFactor, 1.2};
+  EXPECT_LT(missing_to_hold(result, corner_of(scenario, demand)), 0.0) << "the robot file has no such limit";
+  RobotModel limited = *scenario.robot;
+  limited.joints[2].limits.acceleration = 4.0;
+  scenario.robot = std::make_shared<const RobotModel>(limited);
+  EXPECT_DOUBLE_EQ(missing_to_hold(result, corner_of(scenario, demand)), 0.25);
+}
+
 TEST(Corner, AStudysMarginsBecomeOneConstraintEachOverCornersOfEveryScenario) {
   const test::ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
                                test::kShortSearch + kMargins + "robust: {samples: 3, measure: worst}\n");

@@ -59,7 +59,8 @@ std::vector<Column> yardstick_columns() {
        {}},
       {"status",
        "",
-       "status of the plan that the event is compared with: solved; solved without obstacles (no plan was found that "
+       "status of the plan that the event is compared with: solved; solved without obstacles (no plan was "
+       "found that "
        "stays clear of them); past the next switch (no motion was found that reaches the target before "
        "that switch); there at once (at the start, gaze on target or tool on the path); infeasible; not solved",
        {}}};
