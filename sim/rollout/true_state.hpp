@@ -18,7 +18,8 @@ class TrueState {
       : chain_(model.chain), theta_true_(theta_true) {}
 
   /// Completes `o`, whose time, q, qd, control, theta, target and target_motion are set. If the controller
-  /// measured the arm exactly, the results of the controller are used again.
+  /// measured the arm exactly, its kinematics and tracking errors are taken over instead of being computed
+  /// again.
   void observe(const RunningRollout& running, const Controller& controller, Observation& o);
 
  private:

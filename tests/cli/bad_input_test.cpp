@@ -10,7 +10,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace bad_input_test {
 
 using test::Finished;
 using test::ShortStudy;
@@ -216,5 +216,5 @@ TEST_F(BadInput, TwoScenariosOfOneNameAreRefused) {
   EXPECT_THAT(refused({"simulate", "moving_target", "moving_target"}), HasSubstr("moving_target"));
 }
 
-}  // namespace
+}  // namespace bad_input_test
 }  // namespace armtune::internal

@@ -16,7 +16,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controllers_test {
 
 using test::Finished;
 using test::run_program;
@@ -178,5 +178,5 @@ TEST(Controllers, AreSearchedInTheNativeEngineByAnyNumberOfWorkers) {
   EXPECT_EQ(test::read_text(files / "run1/gains.yaml"), test::read_text(files / "run2/gains.yaml"));
 }
 
-}  // namespace
+}  // namespace controllers_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace detached_test {
 
 using test::Finished;
 using test::Program;
@@ -133,5 +133,5 @@ TEST(Detached, ATerminalThatClosesInterruptsARunAndNohupDoesNot) {
   EXPECT_EQ(outlived.exit_code, 0) << outlived.err;
 }
 
-}  // namespace
+}  // namespace detached_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace export_test {
 
 using test::Finished;
 using test::run_program;
@@ -163,5 +163,5 @@ TEST_F(ExportCommand, ComparesGainsWithoutASimulation) {
               HasSubstr("task_space_gains_d/panda_joint7"));
 }
 
-}  // namespace
+}  // namespace export_test
 }  // namespace armtune::internal

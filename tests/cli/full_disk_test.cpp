@@ -10,7 +10,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace full_disk_test {
 
 namespace fs = std::filesystem;
 using test::Finished;
@@ -124,5 +124,5 @@ TEST(FullDisk, ARunWhoseJournalCannotBeBegunLeavesNoFolder) {
   EXPECT_THAT(again.exit_code, testing::AnyOf(0, 3)) << again.err;
 }
 
-}  // namespace
+}  // namespace full_disk_test
 }  // namespace armtune::internal

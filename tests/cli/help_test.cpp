@@ -12,7 +12,7 @@
 #include "tuner/solver/solver.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace help_test {
 
 using test::Finished;
 using test::run_program;
@@ -233,5 +233,5 @@ TEST(Help, IsWhatTheBareProgramShows) {
   EXPECT_THAT(bare.err, testing::HasSubstr("armtune tune"));
 }
 
-}  // namespace
+}  // namespace help_test
 }  // namespace armtune::internal

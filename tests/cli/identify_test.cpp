@@ -8,7 +8,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace identify_test {
 
 using test::Finished;
 using test::run_program;
@@ -108,5 +108,5 @@ TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-}  // namespace
+}  // namespace identify_test
 }  // namespace armtune::internal

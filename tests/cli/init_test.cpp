@@ -10,7 +10,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace init_test {
 
 using test::Finished;
 using test::run_program;
@@ -109,5 +109,5 @@ TEST(OwnFiles, OptionsThatMeanNothingTogetherAreRefused) {
   }
 }
 
-}  // namespace
+}  // namespace init_test
 }  // namespace armtune::internal

@@ -17,7 +17,7 @@
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace inputs_test {
 
 using test::Finished;
 using test::ShortStudy;
@@ -131,5 +131,5 @@ TEST(Inputs, OneInterruptEndsTheWaitForAPipe) {
   EXPECT_THAT(done.err, testing::AllOf(testing::HasSubstr("gains.fifo"), testing::HasSubstr("interrupted")));
 }
 
-}  // namespace
+}  // namespace inputs_test
 }  // namespace armtune::internal

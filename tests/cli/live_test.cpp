@@ -13,7 +13,7 @@
 #include "tuner/report/report.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace live_test {
 
 using test::Program;
 using testing::HasSubstr;
@@ -68,5 +68,5 @@ TEST(LiveReport, ChangesNothingInTheResult) {
               test::read_text(files / ("not/" + std::string(file))));
 }
 
-}  // namespace
+}  // namespace live_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tuner/cli/declared/man_page.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace manual_test {
 
 using test::run_program;
 using testing::AllOf;
@@ -137,5 +137,5 @@ TEST(Completion, OfEveryShellNamesCommandsAndOptions) {
   for (const char* shell : {"tcsh", "fish"}) EXPECT_EQ(run_program({"completion", shell}).exit_code, 2);
 }
 
-}  // namespace
+}  // namespace manual_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace margins_test {
 
 using test::Finished;
 using test::run_program;
@@ -87,5 +87,5 @@ TEST_F(MarginsProgram, AnInterruptKeepsWhatIsFinished) {
   EXPECT_GE(rows(), 1);
 }
 
-}  // namespace
+}  // namespace margins_test
 }  // namespace armtune::internal

@@ -16,7 +16,7 @@
 #include "tuner/cli/set_labels.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace names_test {
 
 namespace fs = std::filesystem;
 using test::Finished;
@@ -169,5 +169,5 @@ TEST(Names, InAHostileRunYamlStayInTheCommentsOfWhatIsExported) {
   }
 }
 
-}  // namespace
+}  // namespace names_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace new_user_test {
 
 using test::Finished;
 using test::run_program;
@@ -137,5 +137,5 @@ TEST(NewUser, ATuningWhoseStartFailsNamesThePathThatNoGainsCanFollow) {
   EXPECT_LT(done.err.find("warning: short:"), done.err.find("study.yaml")) << done.err;
 }
 
-}  // namespace
+}  // namespace new_user_test
 }  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace pareto_test {
 
 using test::Finished;
 using test::run_program;
@@ -89,5 +89,5 @@ TEST(ParetoCommand, RefusesWhatItCannotTradeOff) {
   EXPECT_EQ(one.exit_code, 2);
 }
 
-}  // namespace
+}  // namespace pareto_test
 }  // namespace armtune::internal

@@ -15,7 +15,7 @@
 #include "tuner/report/report.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plan_test {
 
 using test::Finished;
 using test::run_program;
@@ -192,5 +192,5 @@ TEST(Plan, BadInputEndsWithTwo) {
   EXPECT_EQ(run_program({"plan", "ur10_move", "--ros", "3"}).exit_code, 2);
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace armtune::internal

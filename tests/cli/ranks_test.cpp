@@ -16,7 +16,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace ranks_test {
 
 using test::Finished;
 using test::Program;
@@ -391,5 +391,5 @@ TEST_F(Ranks, OtherCommandsDoNotUseThem) {
   EXPECT_EQ(run(1, {"robot", "ur10"}).exit_code, 0) << "one rank is a program like any other";
 }
 
-}  // namespace
+}  // namespace ranks_test
 }  // namespace armtune::internal

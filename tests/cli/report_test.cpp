@@ -13,7 +13,7 @@
 #include "tuner/report/report.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace report_test {
 
 namespace fs = std::filesystem;
 using test::at;
@@ -187,5 +187,5 @@ TEST(ReportPage, WhereItIsNotBuiltInSaysHowToGetIt) {
   EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("node"), HasSubstr("ARMTUNE_REPORT")));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace armtune::internal

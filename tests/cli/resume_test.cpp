@@ -14,7 +14,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace resume_test {
 
 namespace fs = std::filesystem;
 using test::Finished;
@@ -377,5 +377,5 @@ TEST(Resume, AnInterruptedRunSaysHowToGoOn) {
   expect_same_run(files / "whole", files / "run", {"gains.yaml", "errors.csv"});
 }
 
-}  // namespace
+}  // namespace resume_test
 }  // namespace armtune::internal

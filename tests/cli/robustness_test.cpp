@@ -13,7 +13,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace robustness_test {
 
 using test::Finished;
 using test::Program;
@@ -110,5 +110,5 @@ TEST(Robustness, BadInputEndsWithTwo) {
   EXPECT_FALSE(std::filesystem::exists(folder / "limit"));
 }
 
-}  // namespace
+}  // namespace robustness_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tuner/report/report.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace run_files_test {
 
 namespace fs = std::filesystem;
 using test::Finished;
@@ -112,5 +112,5 @@ TEST_F(RunFiles, ThePageOfARunIsReplacedAndAUsersOwnFileIsNot) {
   EXPECT_EQ(test::read_text(files_ / "page.html.partial"), "mine too");
 }
 
-}  // namespace
+}  // namespace run_files_test
 }  // namespace armtune::internal

@@ -16,7 +16,7 @@
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace simulate_test {
 
 namespace fs = std::filesystem;
 using test::Finished;
@@ -288,5 +288,5 @@ TEST(Simulate, APathThatWindsAJointUpIsRefusedByTheJointsName) {
   }
 }
 
-}  // namespace
+}  // namespace simulate_test
 }  // namespace armtune::internal

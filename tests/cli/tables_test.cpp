@@ -8,7 +8,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace tables_test {
 
 using test::run_program;
 
@@ -49,5 +49,5 @@ TEST(Tables, FitEightyColumns) {
                 4);
 }
 
-}  // namespace
+}  // namespace tables_test
 }  // namespace armtune::internal

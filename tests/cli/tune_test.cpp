@@ -11,7 +11,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace tune_test {
 
 namespace fs = std::filesystem;
 using test::Finished;
@@ -313,5 +313,5 @@ TEST(TuneCommand, ASearchThatFindsNothingBetterKeepsTheStartGains) {
   EXPECT_THAT(done.out, HasSubstr("nothing better than the start"));
 }
 
-}  // namespace
+}  // namespace tune_test
 }  // namespace armtune::internal

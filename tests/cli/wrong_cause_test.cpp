@@ -12,7 +12,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace wrong_cause_test {
 
 namespace fs = std::filesystem;
 using test::Finished;
@@ -152,5 +152,5 @@ TEST(WrongCause, ARecordingThatDoesNotFitIsRefusedBeforeTheFolderIsMade) {
   }
 }
 
-}  // namespace
+}  // namespace wrong_cause_test
 }  // namespace armtune::internal

@@ -17,7 +17,7 @@
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace yardstick_test {
 
 namespace fs = std::filesystem;
 using test::Csv;
@@ -197,5 +197,5 @@ TEST_F(YardstickProgram, OfATunedRunIsOfBothGainSets) {
   EXPECT_TRUE(told);
 }
 
-}  // namespace
+}  // namespace yardstick_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/sim/support/csv.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace committed_results_documents_test {
 
 const std::string kRoot = ARMTUNE_SOURCE_DIR;
 
@@ -188,5 +188,5 @@ TEST(Notation, HasARowForEachOfTheReportsTenEquations) {
   }
 }
 
-}  // namespace
+}  // namespace committed_results_documents_test
 }  // namespace armtune::internal

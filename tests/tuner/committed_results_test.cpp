@@ -18,7 +18,7 @@
 #include "tuner/trade_off/pareto_file.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace committed_results_test {
 
 const std::string kRun = ARMTUNE_SOURCE_DIR "/results/ur10_gaze";
 
@@ -291,5 +291,5 @@ TEST(CommittedUr5e, FollowsWithAThirdLessErrorThanItsStartAndHoldsEveryMargin) {
   }
 }
 
-}  // namespace
+}  // namespace committed_results_test
 }  // namespace armtune::internal

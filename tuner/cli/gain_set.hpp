@@ -24,8 +24,8 @@ struct GainSet {
 };
 
 /// Reads the gains of a set, for the robot of the first scenario. scenarios: at least one. Throws InputError
-/// if the gains do not fit the robot of every scenario. Also throws if a path makes a joint drift in one
-/// direction until it exceeds its position limits.
+/// if the gains do not fit the robot of every scenario. Also throws if the tool's path
+/// makes a joint drift beyond its position limits whatever the gains.
 GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios);
 
 /// Returns the gains of a file, which is read for each scenario's robot. name: name of the set in tables.

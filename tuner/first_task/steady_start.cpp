@@ -152,8 +152,8 @@ Study load_steady_study(const std::string& name_or_path, const std::string& cont
     throw InputError(
         InputPlace{study.source},
         fmt::format(
-            "the start gains fail ({}), so the objective cannot be relative to them. Start gains computed by "
-            "armtune complete every scenario, but they do not fit the study: {}",
+            "the start gains fail ({}), so the objective cannot be relative to them. armtune also computed start "
+            "gains of its own. Every scenario completes with them, but the study does not allow them: {}",
             failed.why, e.what()));
   }
 }

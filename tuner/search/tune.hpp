@@ -26,9 +26,12 @@ struct TuneCallbacks {
   /// Called once, when the start gains were simulated and the objective is known.
   std::function<void(const Objective&)> begin;
   /// Called for every evaluation, in order, also for those recalled from a journal. One call at a time, from
-  /// any thread. `phase` is one of these: start; sweep; warm (the point where a warm start begins); global;
-  /// search; gradient (points from which a search forms derivatives); verify (the last evaluations in Simbody
-  /// after a search in another engine, or a point between start and best gains if the best have a fault).
+  /// any thread. `phase` is one of these:
+  ///   - start, sweep, global, search;
+  ///   - warm: the point where a warm start begins;
+  ///   - gradient: points from which a search forms derivatives;
+  ///   - verify: after a search in another engine, the best gains in Simbody. Also points between the start
+  ///     gains and the best gains, if `fault` finds a fault in the best.
   std::function<void(const char* phase, const Evaluation&)> evaluated;
   std::function<void(const TuneProgress&)> progress;  ///< called like `evaluated`
   /// Checks gains in ways that take too long for every evaluation, and returns the fault that it finds, or an

@@ -20,7 +20,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_study_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -328,5 +328,5 @@ TEST(ControllerStudy, OtherStudiesHaveNoParameterFileToChange) {
   EXPECT_EQ(write_controllers(study, study.space.start, folder / "."), "");
 }
 
-}  // namespace
+}  // namespace controller_study_test
 }  // namespace armtune::internal

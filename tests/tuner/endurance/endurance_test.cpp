@@ -13,7 +13,7 @@
 #include "tuner/endurance/error_windows.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace endurance_test {
 
 const std::atomic<bool> kNever{false};
 
@@ -244,5 +244,5 @@ TEST(Endurance, TheBundledTunedGainsHoldForTwentyMinutes) {
   EXPECT_LE(results[0].peak_growth, 1.5);
 }
 
-}  // namespace
+}  // namespace endurance_test
 }  // namespace armtune::internal

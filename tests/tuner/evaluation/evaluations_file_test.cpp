@@ -15,7 +15,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace evaluations_file_test {
 
 /// A short study whose start was "simulated" by hand.
 class Journalled : public testing::Test {
@@ -160,5 +160,5 @@ TEST(Columns, OfTheBundledStudyAreAllExplained) {
   EXPECT_THAT(columns, testing::HasSubstr("evaluations.csv,task_space_gains_p/rx,"));
 }
 
-}  // namespace
+}  // namespace evaluations_file_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tuner/evaluation/evaluations_file.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace evaluations_reader_test {
 
 using testing::HasSubstr;
 
@@ -63,5 +63,5 @@ TEST_F(EvaluationsReader, RefusesWhatIsNoneOfItsStudy) {
               HasSubstr("wrong.csv:2: 'x' in column objective is not a number"));
 }
 
-}  // namespace
+}  // namespace evaluations_reader_test
 }  // namespace armtune::internal

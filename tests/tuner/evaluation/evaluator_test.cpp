@@ -11,7 +11,7 @@
 #include "tuner/search/tune.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace evaluator_test {
 
 using testing::HasSubstr;
 
@@ -211,5 +211,5 @@ TEST_F(Recall, ASearchLeavesTheTimeThatIsKept) {
   EXPECT_FALSE(evaluator.time_left());
 }
 
-}  // namespace
+}  // namespace evaluator_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace first_gain_sets_test {
 
 TEST(FirstGainSets, BeginWithTheGivenOneAndDifferInFourGains) {
   const Scenario scenario = test::scenario_of("moving_target");
@@ -103,5 +103,5 @@ TEST(HoldingFirmness, IsOneForAnArmThatGivesWayLittleAndForJointsWithoutLimits) 
   EXPECT_EQ(holding_firmness(*heavy.arm, heavy.task.goal, firm), JointVector::Ones(free.n()));
 }
 
-}  // namespace
+}  // namespace first_gain_sets_test
 }  // namespace armtune::internal

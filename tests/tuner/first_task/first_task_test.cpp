@@ -27,7 +27,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace first_task_test {
 
 using testing::HasSubstr;
 
@@ -219,5 +219,5 @@ TEST(FirstTask, WhatStandsInTheWayIsSaid) {
   EXPECT_THAT(test::refusal([&] { find_first_task(urdf, {}); }), HasSubstr("to hold the arm"));
 }
 
-}  // namespace
+}  // namespace first_task_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "sim/scenario/robot_file.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace kept_limits_test {
 
 RolloutResult with(Metric metric, double value) {
   RolloutResult result;
@@ -70,5 +70,5 @@ TEST(KeptLimits, WhatIsLostIsNamed) {
   EXPECT_THAT(lost_limits(with(Metric::kClearanceFloor, -0.1), 0.9), testing::HasSubstr("the floor"));
 }
 
-}  // namespace
+}  // namespace kept_limits_test
 }  // namespace armtune::internal

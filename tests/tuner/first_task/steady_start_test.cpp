@@ -10,7 +10,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace steady_start_test {
 
 using testing::HasSubstr;
 
@@ -135,5 +135,5 @@ TEST(SteadyStart, AStudyWithStartsOfItsOwnThatRingIsLeftAsItIs) {
   EXPECT_FALSE(load_steady_study(files.path(), "", 2).given);
 }
 
-}  // namespace
+}  // namespace steady_start_test
 }  // namespace armtune::internal

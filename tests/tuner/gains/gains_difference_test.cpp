@@ -10,7 +10,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gains_difference_test {
 
 using testing::AllOf;
 using testing::ContainsRegex;
@@ -78,5 +78,5 @@ TEST_F(GainsDifference, AGainThatAControllerHasNotIsADash) {
   EXPECT_THAT(table, ContainsRegex("joint_pd_p/elbow_joint .* - +[0-9]"));
 }
 
-}  // namespace
+}  // namespace gains_difference_test
 }  // namespace armtune::internal

@@ -16,7 +16,7 @@
 #include "tests/sim/support/ros_parameters.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gains_formats_test {
 
 using test::kRosParameters;
 using testing::AllOf;
@@ -199,5 +199,5 @@ TEST_F(GainsFormats, ANameThatRosDoesNotTakeIsRefused) {
               AllOf(HasSubstr("'ros3'"), HasSubstr("ros2")));
 }
 
-}  // namespace
+}  // namespace gains_formats_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gains_origin_test {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -68,5 +68,5 @@ TEST(GainsOrigin, OfFilesIsTheirHashes) {
   EXPECT_THAT(origin_of_files({file}), Contains(Pair(HasSubstr("gains.yaml"), hash_of_file(file))));
 }
 
-}  // namespace
+}  // namespace gains_origin_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace base_parameters_test {
 
 using test::WorstError;
 
@@ -56,5 +56,5 @@ TEST(BaseParameters, OfTheUr10AreTheTextbooks) {
   EXPECT_THAT(base.names, testing::Not(testing::Contains("shoulder_pan_joint/rotor_inertia")));
 }
 
-}  // namespace
+}  // namespace base_parameters_test
 }  // namespace armtune::internal

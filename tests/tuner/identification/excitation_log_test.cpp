@@ -6,7 +6,7 @@
 #include "tests/sim/support/read_back.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace excitation_log_test {
 
 TEST(LogCsv, ReadsBackToTheBitAndIsEmptyWhereThereIsNoFigure) {
   for (const RobotModel& arm : test::all_arms()) {
@@ -40,5 +40,5 @@ TEST(LogCsv, ReadsBackToTheBitAndIsEmptyWhereThereIsNoFigure) {
   }
 }
 
-}  // namespace
+}  // namespace excitation_log_test
 }  // namespace armtune::internal

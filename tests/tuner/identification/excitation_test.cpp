@@ -11,7 +11,7 @@
 #include "tuner/identification/excitation_design.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace excitation_test {
 
 using test::WorstError;
 
@@ -149,5 +149,5 @@ TEST(ExcitationDesign, RepeatsItselfAndRefusesWhatCannotBe) {
               testing::HasSubstr("elbow_joint"));
 }
 
-}  // namespace
+}  // namespace excitation_test
 }  // namespace armtune::internal

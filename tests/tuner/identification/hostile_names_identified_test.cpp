@@ -21,7 +21,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace hostile_names_identified_test {
 
 /// Keys and texts in the order of the file, in hexadecimal; what is no text is "-".
 constexpr const char* kPyYaml = R"(
@@ -185,5 +185,5 @@ TEST_F(HostileNames, OfScenariosAndJointsInStudies) {
   }
 }
 
-}  // namespace
+}  // namespace hostile_names_identified_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/sim/support/read_back.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace identification_files_test {
 
 constexpr Eigen::Index kGroups = 9;
 
@@ -98,5 +98,5 @@ TEST(BaseParametersCsv, IsEmptyForAThetaThatIsNone) {
   }
 }
 
-}  // namespace
+}  // namespace identification_files_test
 }  // namespace armtune::internal

@@ -19,7 +19,7 @@
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace identify_refusals_test {
 
 using test::differing_arm;
 using test::Identify;
@@ -154,5 +154,5 @@ TEST_F(Identify, ALogThatIsTooShortOrTooCoarseIsRefused) {
   EXPECT_THAT(test::refusal([&] { identified({path}, high); }), testing::HasSubstr("too few for a cutoff"));
 }
 
-}  // namespace
+}  // namespace identify_refusals_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/identification/excitation_log.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace identify_session_test {
 
 namespace fs = std::filesystem;
 
@@ -62,5 +62,5 @@ TEST(IdentifySession, GivesWhatIdentifyGivesAndWritesNothingItDoubts) {
   EXPECT_FALSE(fs::exists(settings.folder));
 }
 
-}  // namespace
+}  // namespace identify_session_test
 }  // namespace armtune::internal

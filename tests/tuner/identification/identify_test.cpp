@@ -19,7 +19,7 @@
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace identify_test {
 
 using test::differing_arm;
 using test::Identify;
@@ -221,5 +221,5 @@ TEST_F(Identify, WhatOneMovingJointDoesNotExciteKeepsItsPriorAndIsListed) {
   }
 }
 
-}  // namespace
+}  // namespace identify_test
 }  // namespace armtune::internal

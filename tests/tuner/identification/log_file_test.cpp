@@ -9,7 +9,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace log_file_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -275,5 +275,5 @@ TEST_F(Logs, ItsOwnVelocityColumnsMayBeMissingButNamedOnesMayNot) {
   EXPECT_THAT(refused("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr("'v1'"));
 }
 
-}  // namespace
+}  // namespace log_file_test
 }  // namespace armtune::internal

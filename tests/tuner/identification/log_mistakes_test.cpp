@@ -14,7 +14,7 @@
 #include "tuner/identification/log_extremes.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace log_mistakes_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -270,5 +270,5 @@ TEST(ArmFitter, LeavesNothingOfTheRobotFilesOwnTorquesUnexplained) {
             1.9 * std::sqrt(moments.torque_squares.sum()));
 }
 
-}  // namespace
+}  // namespace log_mistakes_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tuner/identification/moving_window.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace low_pass_test {
 
 constexpr double kPeriod = 0.002;
 constexpr double kCutoff = 5.0;
@@ -82,5 +82,5 @@ TEST(MovingWindow, GivesWeightedSumsOfTheLastSamplesEverySoManySteps) {
   }
 }
 
-}  // namespace
+}  // namespace low_pass_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace physical_fit_test {
 
 /// Estimate of a theta's base parameters, each known within a share of its size.
 Estimate estimate_of(const BaseParameters& base, const Eigen::VectorXd& theta, double share) {
@@ -114,5 +114,5 @@ TEST(PhysicalFit, ACovarianceThatIsNoneIsRefused) {
   EXPECT_THROW(physical_fit(base, e, prior), InputError);
 }
 
-}  // namespace
+}  // namespace physical_fit_test
 }  // namespace armtune::internal

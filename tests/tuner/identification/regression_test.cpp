@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace regression_test {
 
 using test::WorstError;
 
@@ -111,5 +111,5 @@ TEST(Regression, WhatIsNotExcitedKeepsItsPrior) {
   EXPECT_NEAR(found.theta[3], stream.theta[3], 1e-9);
 }
 
-}  // namespace
+}  // namespace regression_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace sparse_qr_test {
 
 using test::WorstError;
 
@@ -59,5 +59,5 @@ TEST(RankRevealingFactor, CallsAColumnDeadThatDependsOnThoseBeforeIt) {
   }
 }
 
-}  // namespace
+}  // namespace sparse_qr_test
 }  // namespace armtune::internal

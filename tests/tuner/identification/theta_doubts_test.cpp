@@ -6,7 +6,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace theta_doubts_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -107,5 +107,5 @@ TEST_F(ThetaDoubts, MassesThatAreNotTheRobotFilesAreNamed) {
   }
 }
 
-}  // namespace
+}  // namespace theta_doubts_test
 }  // namespace armtune::internal

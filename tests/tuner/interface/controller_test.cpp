@@ -13,7 +13,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune {
-namespace {
+namespace controller_test {
 
 std::optional<Robot> kept;  ///< by a law that is gone
 int periods = 0;
@@ -144,5 +144,5 @@ TEST(InterfaceOfControllers, ANameThatIsTakenIsRefused) {
   EXPECT_THROW(register_controller(again), InputError);
 }
 
-}  // namespace
+}  // namespace controller_test
 }  // namespace armtune

@@ -17,7 +17,7 @@
 #include "tests/tuner/support/tuned.hpp"
 
 namespace armtune {
-namespace {
+namespace searches_test {
 
 using internal::test::ShortStudy;
 
@@ -286,5 +286,5 @@ TEST(InterfaceOfMargins, EveryMarginOfEveryScenario) {
               testing::UnorderedElementsAre("torque_delay", "gain_factor", "control_rate", "velocity_noise"));
 }
 
-}  // namespace
+}  // namespace searches_test
 }  // namespace armtune

@@ -11,7 +11,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune {
-namespace {
+namespace simulate_test {
 
 Scenario short_scenario(double duration = 6.0) {
   Scenario scenario = Scenario::load("moving_target");
@@ -190,5 +190,5 @@ TEST(InterfaceOfErrors, AllAreOneHierarchyAndOneLine) {
   EXPECT_THROW(simulate({scenario}, quick(scenario), options), InputError);
 }
 
-}  // namespace
+}  // namespace simulate_test
 }  // namespace armtune

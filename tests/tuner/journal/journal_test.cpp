@@ -14,7 +14,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace journal_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -280,5 +280,5 @@ TEST(Journal, AHeaderThatTheDiskRefusesLeavesNoFile) {
   EXPECT_EQ(read_run_header(path).arguments, header_of_run().arguments);
 }
 
-}  // namespace
+}  // namespace journal_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/tuner/support/dense_program.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace condensed_system_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -127,5 +127,5 @@ TEST(CondensedSystem, AddsAsMuchCurvatureAsItNeedsWithinReason) {
   EXPECT_FALSE(Systems(concave).condensed.factorize(yield));
 }
 
-}  // namespace
+}  // namespace condensed_system_test
 }  // namespace armtune::internal

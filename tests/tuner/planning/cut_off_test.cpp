@@ -13,7 +13,7 @@
 #include "tuner/planning/tasks/plan_task.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace planning_cut_off_test {
 
 void expect_valid(const PlanTask& task) {
   ASSERT_NE(task.scenario.robot, nullptr);
@@ -67,5 +67,5 @@ TEST(CutOff, APlanningTaskIsRefusedOrWhole) {
   }
 }
 
-}  // namespace
+}  // namespace planning_cut_off_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/tuner/support/events.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace events_test {
 
 using test::of_kind;
 
@@ -223,5 +223,5 @@ TEST(Events, DistanceFromThePathCountsAsLongAsASwitchsPlanLasts) {
   EXPECT_NEAR(error_with(110), 0.002, 1e-9) << "long after: no plan's business";
 }
 
-}  // namespace
+}  // namespace events_test
 }  // namespace armtune::internal

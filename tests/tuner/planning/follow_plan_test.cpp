@@ -12,7 +12,7 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace follow_plan_test {
 
 /// What following a plan came to.
 struct Followed {
@@ -116,5 +116,5 @@ TEST(FollowPlanScenario, IsTheTasksOwnWithThePlanInFrontAndAControllerThatKnowsT
   EXPECT_FALSE(s.has_task());
 }
 
-}  // namespace
+}  // namespace follow_plan_test
 }  // namespace armtune::internal

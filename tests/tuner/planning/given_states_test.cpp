@@ -11,7 +11,7 @@
 #include "tuner/planning/tasks/plan_problem.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace given_states_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -75,5 +75,5 @@ TEST(GivenStates, AnObstacleThatIsCloserAtTheStartIsNamed) {
   EXPECT_THAT(refusal(task), AllOf(HasSubstr(": clearance: distance to "), HasSubstr("'start'")));
 }
 
-}  // namespace
+}  // namespace given_states_test
 }  // namespace armtune::internal

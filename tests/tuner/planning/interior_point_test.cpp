@@ -8,7 +8,7 @@
 #include "tests/tuner/support/dense_program.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace interior_point_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -181,5 +181,5 @@ TEST(SparseCholesky, SaysThatAMatrixIsNotPositiveDefinite) {
   EXPECT_TRUE(cholesky.factorize(K));
 }
 
-}  // namespace
+}  // namespace interior_point_test
 }  // namespace armtune::internal

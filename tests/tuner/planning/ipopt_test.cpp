@@ -9,7 +9,7 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace ipopt_test {
 
 /// Where Ipopt begins.
 enum class From { kTheSameGuess, kOurOptimum };
@@ -70,5 +70,5 @@ TEST(IpoptUnderLimits, FindsTheSameOptimumUnderAccelerationAndJerkLimits) {
   expect_same_optimum(task);
 }
 
-}  // namespace
+}  // namespace ipopt_test
 }  // namespace armtune::internal

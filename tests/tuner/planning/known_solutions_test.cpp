@@ -8,7 +8,7 @@
 #include "tuner/planning/transcription/state_term.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace known_solutions_test {
 
 using Eigen::VectorXd;
 
@@ -154,5 +154,5 @@ TEST(KnownSolutions, AStartAboveTheVelocityLimitIsInfeasible) {
   EXPECT_EQ(solve_refining(task, grid, guess, {}, {}).result.status, PlanStatus::kInfeasible);
 }
 
-}  // namespace
+}  // namespace known_solutions_test
 }  // namespace armtune::internal

@@ -17,7 +17,7 @@
 #include "tests/sim/support/read_back.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plan_files_test {
 
 using Cells = std::map<std::string, double>;
 
@@ -249,5 +249,5 @@ TEST(LimitsCsv, ReadsBackToTheBitAndIsEmptyWhereThereIsNoFigure) {
   EXPECT_EQ(read.table().header().size(), limits_columns().size());
 }
 
-}  // namespace
+}  // namespace plan_files_test
 }  // namespace armtune::internal

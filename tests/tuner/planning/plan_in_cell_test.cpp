@@ -12,7 +12,7 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plan_in_cell_test {
 
 /// A UR5e that turns its shoulder by 140 degrees, across a wall that stands in the way.
 std::string task_files(const test::TemporaryFolder& folder, const std::string& clearance) {
@@ -72,5 +72,5 @@ TEST(PlanInACell, GoesRoundAWallThatItWouldCrossOtherwise) {
   EXPECT_GE(planned.trajectory.durations[0], (1.0 - 1e-6) * crossed.trajectory.durations[0]);
 }
 
-}  // namespace
+}  // namespace plan_in_cell_test
 }  // namespace armtune::internal

@@ -16,7 +16,7 @@
 #include "tuner/planning/output/plan_files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plan_output_test {
 
 using test::a_limited_move;
 using test::a_return;
@@ -253,5 +253,5 @@ TEST(PlanFacts, HeadlineTellsTimeFromErrorAndEntriesNameWhatWasMeasured) {
     EXPECT_EQ(keys.count(key), 1U) << key;
 }
 
-}  // namespace
+}  // namespace plan_output_test
 }  // namespace armtune::internal

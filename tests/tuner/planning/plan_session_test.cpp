@@ -8,7 +8,7 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plan_session_test {
 
 namespace fs = std::filesystem;
 
@@ -52,5 +52,5 @@ TEST(PlanSession, InterruptedItLeavesNothing) {
   EXPECT_FALSE(fs::exists(files / "run"));
 }
 
-}  // namespace
+}  // namespace plan_session_test
 }  // namespace armtune::internal

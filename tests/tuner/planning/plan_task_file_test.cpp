@@ -11,7 +11,7 @@
 #include "tuner/planning/tasks/plan_task.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plan_task_file_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -200,7 +200,26 @@ TEST(PlanTaskFile, AStartOrGoalBeyondItsLimitsIsRefusedBeforeAnythingIsSolved) {
               AllOf(HasSubstr("key 'start/velocity'"), HasSubstr("wrist_2_joint is -4")));
   EXPECT_THAT(
       message_of(start + "acceleration: [9, 0, 0, 0, 0, 0]}\nlimits: {acceleration: [8, 8, 8, 8, 8, 8]}\n"),
-      AllOf(HasSubstr("key 'start/acceleration'"), HasSubstr("shoulder_pan_joint is 9"), HasSubstr("to 8")));
+      AllOf(HasSubstr("key 'start/acceleration'"), HasSubstr("shoulder_pan_joint is 9"),
+            HasSubstr("limit is 8")));
+}
+
+TEST(PlanTaskFile, AnAccelerationLimitAboveTheRobotsIsRefused) {
+  const test::TemporaryFolder folder;
+  folder.write("arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
+                           "/sim/robots/ur10.urdf\ntip_link: tool0\nrotor_inertia: estimated\n"
+                           "limits: {elbow_joint: {acceleration: 20}}\n");
+  folder.write("scenario.yaml", "base: moving_target\nrobot: arm.yaml\n");
+  const auto loaded = [&](const std::string& elbow) {
+    return load_plan_task(folder.write("task.yaml",
+                                       "task: move\nscenario: scenario.yaml\ngoal: [0, 0, 1, 0, 0, 0]\n"
+                                       "limits: {acceleration: [90, 90, " +
+                                           elbow + ", 90, 90, 90]}\n"));
+  };
+  EXPECT_EQ(acceleration_limits(loaded("20"))[2], 20.0);
+  EXPECT_THAT(test::refusal([&] { loaded("21"); }),
+              AllOf(HasSubstr("task.yaml:4"), HasSubstr("key 'limits/acceleration'"),
+                    HasSubstr("the limit of elbow_joint is 21, above the robot's 20")));
 }
 
 TEST(PlanTaskFile, OnlyGazesArePlanned) {
@@ -216,5 +235,5 @@ TEST(PlanTaskFile, OnlyGazesArePlanned) {
   EXPECT_NO_THROW(load_plan_task(task));
 }
 
-}  // namespace
+}  // namespace plan_task_file_test
 }  // namespace armtune::internal

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include "armtune/error.hpp"
 #include "core/robot/dynamics.hpp"
@@ -13,7 +15,7 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plan_task_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -228,6 +230,25 @@ TEST(PlanTasks, AccelerationAndJerkLimitsAreKept) {
   }
 }
 
+TEST(PlanTasks, TheRobotsAccelerationLimitsCountLikeTheTasksOwn) {
+  PlanTask own = load_plan_task("ur10_move");
+  own.limits.acceleration = JointVector::Constant(6, 8.0);
+  PlanTask of_robot = load_plan_task("ur10_move");
+  auto limited = std::make_shared<RobotModel>(*of_robot.scenario.robot);
+  for (JointInfo& joint : limited->joints) joint.limits.acceleration = 8.0;
+  of_robot.scenario.robot = limited;
+  const Planned a(own), b(of_robot);
+  EXPECT_EQ(a.planned.trajectory.acceleration, b.planned.trajectory.acceleration);
+  EXPECT_GT(b.planned.trajectory.acceleration.lpNorm<Eigen::Infinity>(),
+            0.99 * 8.0);  // it holds the plan back
+
+  // A joint without either has no limit; a task may be stricter than the robot.
+  limited->joints[2].limits.acceleration = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(acceleration_limits(of_robot)[2], std::numeric_limits<double>::infinity());
+  of_robot.limits.acceleration = JointVector::Constant(6, 5.0);
+  EXPECT_EQ(acceleration_limits(of_robot), JointVector::Constant(6, 5.0));
+}
+
 TEST(PlanTasks, TooLittleTimeIsInfeasibleAndTheSlowestJointIsNamed) {
   PlanTask task = load_plan_task("ur10_move");
   task.duration = 0.4;  // the elbow alone needs 0.5 s
@@ -258,5 +279,5 @@ TEST(PlanTasks, ARobotIsAskedToReachOnlyWhatItCan) {
   }
 }
 
-}  // namespace
+}  // namespace plan_task_test
 }  // namespace armtune::internal

@@ -17,7 +17,7 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plan_variants_test {
 
 using testing::HasSubstr;
 
@@ -294,5 +294,5 @@ TEST(PlanVariants, ArmsOfOneToTwelveJointsMoveNoFasterThanTheirLimits) {
   }
 }
 
-}  // namespace
+}  // namespace plan_variants_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/tuner/support/solved_plan.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace ros_trajectory_test {
 
 using testing::HasSubstr;
 
@@ -76,5 +76,5 @@ TEST(RosTrajectory, SaysWhereItDoesNotEndAtRest) {
               testing::AllOf(HasSubstr("does not end at rest"), HasSubstr("rad/s there")));
 }
 
-}  // namespace
+}  // namespace ros_trajectory_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tuner/planning/output/binding_limits.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace solve_plan_test {
 
 PlanTask slow_wrists(double acceleration) {
   PlanTask task = load_plan_task("ur10_switch");
@@ -141,5 +141,5 @@ TEST(SolvePlan, WhatNoDurationIsEnoughForIsNotCalledTooShort) {
   EXPECT_FALSE(planned.too_short);
 }
 
-}  // namespace
+}  // namespace solve_plan_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace tool_motion_test {
 
 TEST(ToolMotion, TheBestPoseOfFiveJointsIsTheOneThatMovesToolAndGazeBest) {
   std::mt19937 generator(61);
@@ -43,5 +43,5 @@ TEST(ToolMotion, TheBestPoseOfFiveJointsIsTheOneThatMovesToolAndGazeBest) {
   EXPECT_GT(choices, 0) << "where the first pose is always the best, nothing is said";
 }
 
-}  // namespace
+}  // namespace tool_motion_test
 }  // namespace armtune::internal

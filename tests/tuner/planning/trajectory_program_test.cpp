@@ -14,7 +14,7 @@
 #include "tuner/planning/transcription/state_term.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace trajectory_program_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -277,5 +277,5 @@ TEST(Trajectory, StaysTheSameMotionOnAFinerGrid) {
   }
 }
 
-}  // namespace
+}  // namespace trajectory_program_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tuner/planning/transcription/trajectory_program.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace trajectory_test {
 
 /// Two phases, so that the intervals differ.
 TimeGrid uneven_grid() {
@@ -90,5 +90,5 @@ TEST(InDurationsOf, TheWayIsTheSameAndTheSpeedGoesWithTheDurations) {
   EXPECT_NEAR(slower.time[12], grid.start + 1.8 + 0.65, 1e-12);
 }
 
-}  // namespace
+}  // namespace trajectory_test
 }  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace armtune::internal {
-namespace {
+namespace violation_price_test {
 
 using Eigen::VectorXd;
 
@@ -64,5 +64,5 @@ TEST(ViolationPrice, IsTooLowWhereTheViolationStaysAndNotWhereItShrinks) {
   EXPECT_FALSE(staying.no_less_violated(until + 1, Eigen::Vector2d(2.0, 0.0))) << "a new price, a new count";
 }
 
-}  // namespace
+}  // namespace violation_price_test
 }  // namespace armtune::internal

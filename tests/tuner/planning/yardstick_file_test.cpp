@@ -9,7 +9,7 @@
 #include "tests/sim/support/read_back.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace yardstick_file_test {
 
 using testing::HasSubstr;
 
@@ -84,5 +84,5 @@ TEST(YardstickCsv, ReadsBackToTheBitAndIsEmptyWithAStatus) {
   for (const std::size_t row : {2U, 3U, 4U, 5U}) read.text(row, "ratio", "");
 }
 
-}  // namespace
+}  // namespace yardstick_file_test
 }  // namespace armtune::internal

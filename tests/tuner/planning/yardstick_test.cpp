@@ -14,7 +14,7 @@
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace yardstick_test {
 
 using test::of_kind;
 using test::simulated;
@@ -234,5 +234,5 @@ TEST(Yardstick, OfAScenariosSwitchesTheSlowestOnesLimitCounts) {
   EXPECT_TRUE(std::isnan(reacquisition_limit(measures, "c")));
 }
 
-}  // namespace
+}  // namespace yardstick_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <thread>
 
 namespace armtune::internal {
-namespace {
+namespace call_watch_test {
 
 TEST(CallWatch, SaysOnceAndGivesUpOnce) {
   std::atomic<int> said{0};
@@ -34,5 +34,5 @@ TEST(CallWatch, IsSilentWhenTheCallReturnsInTime) {
   EXPECT_EQ(calls, 0);
 }
 
-}  // namespace
+}  // namespace call_watch_test
 }  // namespace armtune::internal

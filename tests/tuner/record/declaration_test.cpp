@@ -18,7 +18,7 @@
 #include "tuner/record/type_printer.hpp"
 
 namespace armtune::internal::record {
-namespace {
+namespace declaration_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -204,5 +204,5 @@ TEST(Declaration, WhatIsWrongIsNamedWithItsFileAndKey) {
               AllOf(HasSubstr("'side'"), HasSubstr("up"), HasSubstr("left")));
 }
 
-}  // namespace
+}  // namespace declaration_test
 }  // namespace armtune::internal::record

@@ -8,7 +8,7 @@
 #include "tests/tuner/report/support/decode.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace base64_test {
 
 std::string of_text(const std::string& text) {
   return base64(std::vector<unsigned char>(text.begin(), text.end()));
@@ -44,5 +44,5 @@ TEST(Base64, PutsTheLowestByteOfANumberFirst) {
             (std::vector<unsigned char>{0, 0, 0x80, 0x3f, 0, 0, 0, 0xc0}));
 }
 
-}  // namespace
+}  // namespace base64_test
 }  // namespace armtune::internal::report

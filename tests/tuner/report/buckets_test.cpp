@@ -8,7 +8,7 @@
 #include <random>
 
 namespace armtune::internal::report {
-namespace {
+namespace buckets_test {
 
 /// Noise with gaps: every `gap`-th value is missing, one in three of these infinite.
 std::vector<double> noisy(std::size_t rows, std::size_t gap, unsigned seed) {
@@ -98,5 +98,5 @@ TEST(Buckets, KeepAShortRunWhole) {
   EXPECT_TRUE(Buckets(0, 1).extremes({}).empty());
 }
 
-}  // namespace
+}  // namespace buckets_test
 }  // namespace armtune::internal::report

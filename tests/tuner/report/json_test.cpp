@@ -12,7 +12,7 @@
 #include "tuner/report/report_data.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace json_test {
 
 using test::at;
 using test::parsed;
@@ -81,5 +81,5 @@ TEST(Json, ValuesThatAreNotFiniteAreNull) {
   EXPECT_EQ(written[4].as_number(), 1.5);
 }
 
-}  // namespace
+}  // namespace json_test
 }  // namespace armtune::internal::report

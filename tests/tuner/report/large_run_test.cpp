@@ -17,7 +17,7 @@
 #include "tuner/rollouts/comparison.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace large_run_test {
 
 using test::TemporaryFolder;
 using test::write_run;
@@ -226,5 +226,5 @@ TEST(LargeRun, ABadRecordingIsNamedAndTheOthersAreShown) {
   EXPECT_THAT(data.left_out, Contains(HasSubstr("rollout_falling.csv:3")));
 }
 
-}  // namespace
+}  // namespace large_run_test
 }  // namespace armtune::internal::report

@@ -18,7 +18,7 @@
 #include "tuner/report/tables.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace page_test {
 
 using test::at;
 using test::data_of;
@@ -189,5 +189,5 @@ TEST(RunReport, TellsARunThatEndedEarlyWithItsReason) {
   EXPECT_EQ(run.end, table.number(table.rows() - 1, table.column("time")));
 }
 
-}  // namespace
+}  // namespace page_test
 }  // namespace armtune::internal::report

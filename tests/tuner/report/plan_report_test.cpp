@@ -16,7 +16,7 @@
 #include "tuner/report/run_report.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace plan_report_test {
 
 using testing::HasSubstr;
 
@@ -163,5 +163,5 @@ TEST(PlanReport, WhatIsMissingOrSpoiltIsLeftOutAndSaid) {
   EXPECT_THAT(report_of(folder.path(), kBytes).left_out, testing::Contains(HasSubstr("expected FROM:TO")));
 }
 
-}  // namespace
+}  // namespace plan_report_test
 }  // namespace armtune::internal::report

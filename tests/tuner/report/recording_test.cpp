@@ -14,7 +14,7 @@
 #include "tuner/report/buckets.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace recording_test {
 
 using test::recorded;
 
@@ -325,5 +325,5 @@ TEST(Recording, AReplayHasASampleWhateverTheTimes) {
   }
 }
 
-}  // namespace
+}  // namespace recording_test
 }  // namespace armtune::internal::report

@@ -15,7 +15,7 @@
 #include "tuner/report/base64.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace scene_test {
 
 using test::TemporaryFolder;
 using testing::HasSubstr;
@@ -256,5 +256,5 @@ TEST(StlFile, IsReadWholeOrNotAtAll) {
   EXPECT_FALSE(read_binary_stl(folder.path(), 10)) << "a folder";
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace armtune::internal::report

@@ -14,7 +14,7 @@
 #include "tuner/samples/statistics.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace sections_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -226,5 +226,5 @@ TEST(MarginsSection, PutsTheSetsSideBySideAlsoWhereOneHasNoFile) {
   EXPECT_THAT(rows[3].text, ElementsAre("", "≤ 10"));
 }
 
-}  // namespace
+}  // namespace sections_test
 }  // namespace armtune::internal::report

@@ -8,7 +8,7 @@
 #include <random>
 
 namespace armtune::internal::report {
-namespace {
+namespace series_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -66,5 +66,5 @@ TEST(Series, HoldsConstantsAndTheWidestRangeThereIs) {
   EXPECT_LT(std::abs(wide.at(1)), most / Series::kSteps);
 }
 
-}  // namespace
+}  // namespace series_test
 }  // namespace armtune::internal::report

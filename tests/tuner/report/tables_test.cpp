@@ -9,7 +9,7 @@
 #include "tuner/report/findings.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace tables_test {
 
 using test::errors_of;
 using test::result_of;
@@ -83,5 +83,5 @@ TEST(Changes, TheWorstStepIsOfOneScenarioNotOfTheirMean) {
   EXPECT_FALSE(worst_step(two_sets(), {Metric::kOrientationMax}, 1)) << "better in both";
 }
 
-}  // namespace
+}  // namespace tables_test
 }  // namespace armtune::internal::report

@@ -11,7 +11,7 @@
 #include "tuner/report/run_report.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace untrusted_folder_test {
 
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
@@ -140,5 +140,5 @@ TEST_F(UntrustedName, OfASetInAComparisonLeadsNowhere) {
   EXPECT_THAT(data.left_out, Contains(HasSubstr("outside/secret")));
 }
 
-}  // namespace
+}  // namespace untrusted_folder_test
 }  // namespace armtune::internal::report

@@ -10,7 +10,7 @@
 #include "tuner/report/tables.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace report_verdict_test {
 
 using test::errors_of;
 using test::result_of;
@@ -240,5 +240,5 @@ TEST(Verdict, OfAFrontCountsThePointsThatBeatTheStart) {
   EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("No feasible point was found"));
 }
 
-}  // namespace
+}  // namespace report_verdict_test
 }  // namespace armtune::internal::report

@@ -10,7 +10,7 @@
 #include "tuner/report/report_data.hpp"
 
 namespace armtune::internal::report {
-namespace {
+namespace yardstick_rows_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -90,5 +90,5 @@ TEST(YardstickJson, HasNullWhereThereIsNoValue) {
   EXPECT_THAT(test::at(node, "words").as_string(), StartsWith("not reacquired"));
 }
 
-}  // namespace
+}  // namespace yardstick_rows_test
 }  // namespace armtune::internal::report

@@ -7,7 +7,7 @@
 #include <string>
 
 namespace armtune::internal {
-namespace {
+namespace edge_search_test {
 
 TEST(EdgeSearch, EndsBesideTheKnownEdgeOfANumber) {
   for (const double edge : {1.001, 1.3, 2.0, 31.4, 99.0}) {
@@ -81,5 +81,5 @@ TEST(EdgeSearch, TriesWhatIsPrinted) {
   });
 }
 
-}  // namespace
+}  // namespace edge_search_test
 }  // namespace armtune::internal

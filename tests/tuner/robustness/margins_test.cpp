@@ -14,7 +14,7 @@
 #include "tuner/robustness/margin_report.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace margins_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -321,5 +321,5 @@ TEST(MarginFields, ASlowerRateGivesTheControllerFewerPeriods) {
   EXPECT_DOUBLE_EQ(times[1], 0.004);
 }
 
-}  // namespace
+}  // namespace margins_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/robustness/drawn_arm.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace monte_carlo_test {
 
 using testing::HasSubstr;
 
@@ -246,5 +246,5 @@ TEST(Limits, WhatIsNoneIsRefused) {
               HasSubstr("'much' is not a finite number"));
 }
 
-}  // namespace
+}  // namespace monte_carlo_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tests/sim/support/read_back.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace comparison_test {
 
 /// Every awkward number and every figure that there is not, each in another scenario, metric and set.
 double figure(std::size_t set, std::size_t scenario, std::size_t metric) {
@@ -81,5 +81,5 @@ TEST(ComparisonCsv, ARatioToWhatIsNoFigureIsNone) {
   }
 }
 
-}  // namespace
+}  // namespace comparison_test
 }  // namespace armtune::internal

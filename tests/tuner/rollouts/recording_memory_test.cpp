@@ -10,7 +10,7 @@
 #include "tuner/rollouts/simulate.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace recording_memory_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -82,5 +82,5 @@ TEST(RecordingMemory, IsAskedForBeforeAnythingIsSimulated) {
               HasSubstr("longer"));
 }
 
-}  // namespace
+}  // namespace recording_memory_test
 }  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace armtune::internal {
-namespace {
+namespace arithmetic_test {
 
 TEST(BaselineTunables, KeepWhatTheUserHasSet) {
   const std::string wanted = baseline_tunables("");
@@ -15,5 +15,5 @@ TEST(BaselineTunables, KeepWhatTheUserHasSet) {
             "glibc.malloc.check=3:glibc.cpu.hwcaps=-ERMS," + list + ":glibc.malloc.perturb=1");
 }
 
-}  // namespace
+}  // namespace arithmetic_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace run_file_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -78,5 +78,5 @@ TEST_F(RunFile, TheFolderItselfMayBeALink) {
   EXPECT_TRUE(find_run_file(files_ / "latest", "start/errors.csv"));
 }
 
-}  // namespace
+}  // namespace run_file_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tuner/run/input_copies.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace run_folder_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -164,5 +164,5 @@ TEST(AppendFile, SaysAtOnceThatItsFileIsGone) {
   }
 }
 
-}  // namespace
+}  // namespace run_folder_test
 }  // namespace armtune::internal

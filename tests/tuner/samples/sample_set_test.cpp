@@ -9,7 +9,7 @@
 #include "tuner/search/tune.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace sample_set_test {
 
 using testing::HasSubstr;
 
@@ -196,5 +196,5 @@ TEST(RobustKeys, ThatAreWrongAreRefusedWithFileAndLine) {
   EXPECT_THAT(refused("robust: {uncertainty: {masses: 0.1}}\n"), HasSubstr("mass"));
 }
 
-}  // namespace
+}  // namespace sample_set_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace armtune::internal {
-namespace {
+namespace statistics_test {
 
 TEST(Quantile, IsExactAtTheValuesAndLinearBetween) {
   const std::vector<double> values = {1.0, 2.0, 4.0, 8.0, 16.0};
@@ -70,5 +70,5 @@ TEST(WilsonInterval, HoldsTheTruthAsOftenAsItSays) {
   EXPECT_NEAR(static_cast<double>(held) / kRepeats, 0.95, 0.025);
 }
 
-}  // namespace
+}  // namespace statistics_test
 }  // namespace armtune::internal

@@ -15,7 +15,7 @@
 #include "tuner/search/tune.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace half_diverges_test {
 
 /// All of Kp grows together, on a linear scale from 0.4 to 400 times the published. From 100 times on it
 /// diverges (rollout_test.cpp), which is three quarters of the box; long before, Kp dt > 2 turns every error
@@ -103,5 +103,5 @@ TEST(BoxThatHalfDiverges, HalfOfItDoes) {
   EXPECT_LT(diverged, kPoints) << "the other part is there too";
 }
 
-}  // namespace
+}  // namespace half_diverges_test
 }  // namespace armtune::internal

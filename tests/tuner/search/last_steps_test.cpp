@@ -19,7 +19,7 @@
 #include "tuner/search/tune.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace last_steps_test {
 
 using testing::HasSubstr;
 
@@ -215,5 +215,5 @@ TEST_F(LastStepsInTime, TooLittleTimeForTwoEnginesIsSimbodys) {
   EXPECT_EQ(again.rollouts, 0);
 }
 
-}  // namespace
+}  // namespace last_steps_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tuner/search/tune.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace more_is_better_test {
 
 /// The tool at rest, its set point on eight sines up to 10 Hz.
 const std::string kSines =
@@ -42,5 +42,5 @@ TEST(MoreIsBetter, TheSearchRaisesTheBandwidth) {
   EXPECT_NEAR(result.best.objective, start / tuned, 1e-12) << "what is reported is what was gained";
 }
 
-}  // namespace
+}  // namespace more_is_better_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/search/tune.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace native_search_test {
 
 using test::ShortStudy;
 
@@ -200,5 +200,5 @@ TEST_F(NativeSearch, AGlobalSearchEndsWithLocalSteps) {
   EXPECT_FALSE(better(*best, result.best));
 }
 
-}  // namespace
+}  // namespace native_search_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/tuner/support/tuned.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace tune_search_test {
 
 using test::run;
 using test::ShortStudy;
@@ -127,5 +127,5 @@ TEST(Tune, AWarmStartBeginsThereKeepsToItsBoxAndStaysRelativeToTheStart) {
   EXPECT_NEAR(std::max(std::abs(first[0] - point.x[0]), std::abs(first[1] - point.x[1])), 0.05, 1e-9);
 }
 
-}  // namespace
+}  // namespace tune_search_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/tuner/support/tuned.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace tune_test {
 
 using test::run;
 using test::ShortStudy;
@@ -237,5 +237,5 @@ TEST(Tune, ABudgetThatEndsInsideTheSweepIsKeptToByAnyNumberOfWorkers) {
   EXPECT_EQ(without_times(one.journal), without_times(two.journal));
 }
 
-}  // namespace
+}  // namespace tune_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tuner/sensitivity/merits.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace sensitivity_test {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -262,5 +262,5 @@ TEST(ReducedStudy, KeepsLinksAndSweepsOfWhatIsStillTuned) {
   EXPECT_EQ(reduced.space.gains_at({1.0}).task_space_gains_p[3], study.space.start.task_space_gains_p[3]);
 }
 
-}  // namespace
+}  // namespace sensitivity_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/session/monte_carlo_session.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace other_sessions_test {
 
 namespace fs = std::filesystem;
 using test::ShortStudy;
@@ -178,5 +178,5 @@ TEST(CompareSession, IsWholeOrNothing) {
   EXPECT_TRUE(fs::is_empty(settings.folder));
 }
 
-}  // namespace
+}  // namespace other_sessions_test
 }  // namespace armtune::internal

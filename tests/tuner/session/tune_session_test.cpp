@@ -8,7 +8,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace tune_session_test {
 
 namespace fs = std::filesystem;
 using test::ShortStudy;
@@ -131,5 +131,5 @@ TEST(TuneSession, InterruptedAtOnceItLeavesNoFolder) {
   EXPECT_FALSE(fs::exists(files / "run"));
 }
 
-}  // namespace
+}  // namespace tune_session_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace armtune::internal {
-namespace {
+namespace differences_test {
 
 using Point = std::vector<double>;
 
@@ -105,5 +105,5 @@ TEST(Gradients, AreFormedFromOneBatchOfMarkedPoints) {
   }
 }
 
-}  // namespace
+}  // namespace differences_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tuner/solver/solver.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace minimize_test {
 
 using Point = std::vector<double>;
 
@@ -105,5 +105,5 @@ TEST(Minimize, EndsWithAPopulationThatHasBecomeOnePoint) {
   }
 }
 
-}  // namespace
+}  // namespace minimize_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace solver_test {
 
 using Point = std::vector<double>;
 
@@ -244,5 +244,5 @@ TEST(Solver, DoesNotOfferWhatNLoptDoesBadly) {
   }
 }
 
-}  // namespace
+}  // namespace solver_test
 }  // namespace armtune::internal

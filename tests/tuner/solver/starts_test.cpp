@@ -8,7 +8,7 @@
 #include <random>
 
 namespace armtune::internal {
-namespace {
+namespace starts_test {
 
 SolverProblem box(std::size_t n) {
   SolverProblem problem;
@@ -68,5 +68,5 @@ TEST(Starts, LieMoreEvenlyAlongEveryCoordinateThanRandomPoints) {
   EXPECT_LT(mean, 0.6 * random_mean);
 }
 
-}  // namespace
+}  // namespace starts_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace together_test {
 
 using Point = std::vector<double>;
 
@@ -121,5 +121,5 @@ TEST(Together, NoSearchesAreDoneAtOnce) {
   EXPECT_TRUE(minimize_together({}, [](std::vector<Request>&) { FAIL(); }).empty());
 }
 
-}  // namespace
+}  // namespace together_test
 }  // namespace armtune::internal

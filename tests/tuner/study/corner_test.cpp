@@ -15,7 +15,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace corner_test {
 
 using testing::HasSubstr;
 
@@ -165,5 +165,5 @@ TEST(Corner, AVerdictOfHalfAPeriodOrOfHalfAnArmIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace corner_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace study_cut_off_test {
 
 void expect_valid(const Study& study) {
   ASSERT_FALSE(study.scenarios.empty());
@@ -53,5 +53,5 @@ TEST(CutOff, AStudyIsRefusedOrWhole) {
   EXPECT_GT(cuts.loaded, 0U) << "between two terms";
 }
 
-}  // namespace
+}  // namespace study_cut_off_test
 }  // namespace armtune::internal

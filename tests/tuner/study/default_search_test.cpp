@@ -7,7 +7,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace default_search_test {
 
 using test::ShortStudy;
 
@@ -63,5 +63,5 @@ TEST(DefaultSearch, AWarmStartGoesWithoutAGlobalSearchThatNobodyNamed) {
   EXPECT_EQ(global_of(study("search: {global: DIRECT_L}\n")), "DIRECT_L");
 }
 
-}  // namespace
+}  // namespace default_search_test
 }  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <random>
 
 namespace armtune::internal {
-namespace {
+namespace evaluation_test {
 
 Evaluation evaluation(bool feasible, double violation, double objective) {
   Evaluation e;
@@ -52,5 +52,5 @@ TEST(Better, IsAStrictWeakOrdering) {
   }
 }
 
-}  // namespace
+}  // namespace evaluation_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace objective_test {
 
 using testing::HasSubstr;
 
@@ -317,5 +317,5 @@ TEST_F(ObjectiveOfTwoScenarios, DivergingScoresWorseThanAnyCompletedRollout) {
   EXPECT_GT(late.objective, wild.objective);
 }
 
-}  // namespace
+}  // namespace objective_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace parameter_test {
 
 /// Two free gains, one per scale, and one that follows the first.
 class Parameters : public testing::Test {
@@ -136,7 +136,7 @@ TEST_F(Parameters, WhatDoesNotFitIsRefusedByName) {
   EXPECT_THAT(refusal_after([](Parameter& p) { p.start = 4.9; }),
               named("start 4.9 lies outside its bounds 5 .. 80"));
   EXPECT_THAT(refusal_after([](Parameter& p) { p.start = std::nan(""); }), named("start"));
-  EXPECT_THAT(test::refusal([] { validate({}, "study.yaml"); }), HasSubstr("no parameter"));
+  EXPECT_THAT(test::refusal([] { validate(ParameterSpace{}, "study.yaml"); }), HasSubstr("no parameter"));
 }
 
 TEST_F(Parameters, BoundsThatAreAcceptedGiveFiniteGainsEverywhere) {
@@ -164,5 +164,5 @@ TEST_F(Parameters, BoundsThatAreAcceptedGiveFiniteGainsEverywhere) {
   EXPECT_GT(accepted, 5);
 }
 
-}  // namespace
+}  // namespace parameter_test
 }  // namespace armtune::internal

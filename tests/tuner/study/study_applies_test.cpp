@@ -7,7 +7,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace study_applies_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -82,5 +82,5 @@ TEST_F(StudyOfTwoKindsOfScenario, AMetricWithoutADirectionIsNoTermButMayBeBounde
             "constraints: [{metric: joint_velocity/max_ratio_time, at_least: 1}]\n"));
 }
 
-}  // namespace
+}  // namespace study_applies_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace study_file_test {
 
 using test::ShortStudy;
 using testing::AllOf;
@@ -242,5 +242,5 @@ TEST(StudyFile, WhatARunWritesNamesTheScenariosThatWereReadThroughLinksToo) {
   const Study again = load_study(files.write("written.yaml", study_yaml(study, "gains.yaml", "")));
   EXPECT_EQ(again.scenarios.front().duration, 5.0);
 }
-}  // namespace
+}  // namespace study_file_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace study_hopeless_test {
 
 using test::ShortStudy;
 using testing::AllOf;
@@ -56,5 +56,5 @@ TEST(StudyFile, OnManyArmsOnlyTheWorstMakesACandidateHopeless) {
   }
 }
 
-}  // namespace
+}  // namespace study_hopeless_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace study_refusals_test {
 
 using test::ShortStudy;
 using testing::AllOf;
@@ -179,5 +179,5 @@ TEST(StudyFile, ANameThatNoFileCouldBeCalledAfterIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace study_refusals_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace armtune::internal {
-namespace {
+namespace term_score_test {
 
 const std::vector<double> kReferences = {1e-4, 0.3, 1.0, 250.0};
 
@@ -86,5 +86,5 @@ TEST(TermScore, WhereMoreIsBetterIsSmoothWhereItsTwoBranchesMeet) {
   EXPECT_NEAR((at(kMeet + kStep) - at(kMeet - kStep)) / (2.0 * kStep), -25.0, 130.0 * kStep);
 }
 
-}  // namespace
+}  // namespace term_score_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace warm_study_file_test {
 
 using test::ShortStudy;
 using testing::AllOf;
@@ -151,5 +151,5 @@ TEST_F(WarmStudyFile, WhatCannotBeBegunAtIsRefused) {
   EXPECT_THAT(refusal("from: other.yaml\n  boxes: 0.9"), HasSubstr("did you mean 'box'"));
 }
 
-}  // namespace
+}  // namespace warm_study_file_test
 }  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <random>
 
 namespace armtune::internal {
-namespace {
+namespace archive_test {
 
 ParetoPoint point(double a, double b, bool feasible = true) {
   ParetoPoint p;
@@ -51,5 +51,5 @@ TEST(Archive, FindsTheBestUnderLevelsAndWhereToBegin) {
       << "0.01 above the level costs less than 0.4 of the first";
 }
 
-}  // namespace
+}  // namespace archive_test
 }  // namespace armtune::internal

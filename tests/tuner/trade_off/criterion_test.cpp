@@ -8,7 +8,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace criterion_test {
 
 Evaluation evaluation(const std::vector<double>& values, Metric metric) {
   Evaluation e;
@@ -52,5 +52,5 @@ TEST(Criterion, WithoutADirectionIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace criterion_test
 }  // namespace armtune::internal

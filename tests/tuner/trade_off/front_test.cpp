@@ -7,7 +7,7 @@
 #include <random>
 
 namespace armtune::internal {
-namespace {
+namespace front_test {
 
 std::vector<Costs> random_points(std::size_t count, std::size_t criteria, unsigned seed) {
   std::mt19937 generator(seed);
@@ -81,5 +81,5 @@ TEST(Hypervolume, CountsOnlyTheFront) {
   EXPECT_NEAR(hypervolume(front, {1, 1, 1}), hypervolume(points, {1, 1, 1}), 1e-12);
 }
 
-}  // namespace
+}  // namespace front_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <set>
 
 namespace armtune::internal {
-namespace {
+namespace level_grid_test {
 
 TEST(LevelGrid, IsWalkedOnceInSingleSteps) {
   for (const std::size_t axes : {1U, 2U, 3U}) {
@@ -46,5 +46,5 @@ TEST(LevelGrid, GroupsHoldEveryPlaceOnceAndNoNeighbours) {
   }
 }
 
-}  // namespace
+}  // namespace level_grid_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/trade_off/pareto_file.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace pareto_test {
 
 const std::atomic<bool> kNever{false};
 
@@ -249,5 +249,5 @@ TEST_F(Pareto, ACriterionThatTheStartDoesNotGiveIsRefused) {
   EXPECT_THAT(test::refusal([this] { run(2); }), testing::HasSubstr("obstacle/min_clearance is nan"));
 }
 
-}  // namespace
+}  // namespace pareto_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace first_breach_test {
 
 /// What a watch of the arm's own limits sees first, of one kind.
 std::optional<BrokenLimit> watched(const Scenario& scenario, const Gains& gains, JointLimit kind) {
@@ -109,5 +109,5 @@ TEST_F(FirstBreach, IsNoneWhereNothingBreaksOrNothingCanBeSaidWhileARolloutRuns)
   EXPECT_TRUE(clear->joint.empty()) << "no joint has that error";
 }
 
-}  // namespace
+}  // namespace first_breach_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/verdict/rotor_check.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace search_checks_test {
 
 using testing::HasSubstr;
 
@@ -187,5 +187,5 @@ TEST(BoundsNote, NamesTheGainsOnTheirBounds) {
   EXPECT_THAT(one.notes.front(), HasSubstr(study.space.free.front().entry.name));
 }
 
-}  // namespace
+}  // namespace search_checks_test
 }  // namespace armtune::internal

@@ -16,7 +16,7 @@
 #include "tuner/verdict/rollout_checks.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace verdict_verdict_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -339,5 +339,5 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
                                                  HasSubstr("does not limit how fast torques change"))));
 }
 
-}  // namespace
+}  // namespace verdict_verdict_test
 }  // namespace armtune::internal

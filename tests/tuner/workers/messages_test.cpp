@@ -12,7 +12,7 @@
 #include "tuner/workers/bytes.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace messages_test {
 
 /// Every number another one, switches away from their defaults.
 NumberedJob some_job() {
@@ -157,5 +157,5 @@ TEST(Messages, TheOthersComeBackAndAreToldApart) {
   EXPECT_THROW(read_stop(failure_message(4, "why")), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace messages_test
 }  // namespace armtune::internal

@@ -19,7 +19,7 @@
 #include "tuner/workers/messages.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace rank_group_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -275,5 +275,5 @@ TEST(RankGroup, ThreadsBesideRanksAreRefused) {
               });
 }
 
-}  // namespace
+}  // namespace rank_group_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tuner/workers/parallel.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace workers_test {
 
 TEST(Workers, GiveEachCandidateItsRolloutsWhateverTheirNumber) {
   const std::vector<Scenario> scenarios = {test::scenario_of("moving_target", 3.0),
@@ -203,5 +203,5 @@ TEST(ParallelFor, PassesOnTheExceptionAndStartsNoFurtherJob) {
   EXPECT_LT(started, 500) << "one under way on the other thread, and what it begins before it hears of it";
 }
 
-}  // namespace
+}  // namespace workers_test
 }  // namespace armtune::internal

@@ -35,8 +35,9 @@ std::string end_velocity(const RobotModel& robot, const Trajectory& trajectory) 
   const auto joint = static_cast<std::size_t>(fastest);
   const bool turns = robot.chain.motion[joint] == JointMotion::kRevolute;
   return fmt::format(
-      "The trajectory does not end at rest: {} still moves at {:.4g} {} there. Another motion must follow "
-      "without a pause. A controller that only follows trajectories rejects this one, or stops abruptly.",
+      "The trajectory does not end at rest: {} still moves at {:.4g} {} there. Send it only if "
+      "another motion follows without a pause. Otherwise a joint trajectory controller rejects it, or the arm "
+      "stops abruptly at its end.",
       robot.joints[joint].name, trajectory.velocity(fastest, last), turns ? "rad/s" : "m/s");
 }
 

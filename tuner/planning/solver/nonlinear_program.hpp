@@ -16,7 +16,8 @@ class NonlinearProgram {
 
   /// Computes r(z) into `residual` and c(z) into `row`.
   virtual void evaluate(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) = 0;
-  /// Computes the same, and the Jacobians into `residuals` and `rows`, whose patterns never change.
+  /// Computes the same, and writes the Jacobians of r and c into the members `residuals` and `rows`. Their
+  /// sparsity patterns never change.
   virtual void linearize(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) = 0;
 
   /// Computes the second derivatives of residual^T r(z) + y^T c(z) by z into `curvature`, with residual and y

@@ -20,6 +20,7 @@ constexpr double kLeastGuess = 0.2;  // [s]
 
 std::vector<Coordinate> PlanCommon::coordinates() const {
   const std::vector<std::string> units = position_units(*robot);
+  const JointVector acceleration = acceleration_limits(task);
   std::vector<Coordinate> found;
   for (int i = 0; i < n(); ++i) {
     const JointInfo& joint = robot->joints[static_cast<std::size_t>(i)];
@@ -31,7 +32,7 @@ std::vector<Coordinate> PlanCommon::coordinates() const {
       c.upper = joint.limits.upper;
     }
     c.velocity = task.limits.velocity * joint.limits.velocity;
-    if (task.limits.acceleration.size() > 0) c.acceleration = task.limits.acceleration[i];
+    c.acceleration = acceleration[i];
     if (task.limits.jerk.size() > 0) c.jerk = task.limits.jerk[i];
     c.velocity_scale = c.velocity;
     c.acceleration_scale = std::min(c.acceleration, c.velocity / kAccelerationTime);

@@ -34,12 +34,21 @@ JointVector positive_values(yaml::MapReader& map, const char* key, const std::ve
   return values;
 }
 
-PlanLimits read_limits(const yaml::Node& node, const std::vector<std::string>& joints) {
+PlanLimits read_limits(const yaml::Node& node, const RobotModel& robot) {
+  const std::vector<std::string> joints = joint_names(robot);
   yaml::MapReader map(node);
   PlanLimits limits;
   limits.velocity = map.number_in("velocity", limits.velocity, 0.01, 1.0);
   limits.effort = map.number_in("effort", limits.effort, 0.01, 1.0);
   limits.acceleration = positive_values(map, "acceleration", joints);
+  const JointVector of_robot = robot.acceleration_limits();
+  for (Eigen::Index i = 0; i < limits.acceleration.size(); ++i) {
+    if (!(limits.acceleration[i] <= of_robot[i]))
+      map.required("acceleration")
+          .fail(fmt::format("the limit of {} is {}, above the robot's {}; give at most that",
+                            joints[static_cast<std::size_t>(i)], cell(limits.acceleration[i]),
+                            cell(of_robot[i])));
+  }
   limits.jerk = positive_values(map, "jerk", joints);
   map.finish();
   return limits;
@@ -79,9 +88,8 @@ void check_size(const yaml::Node& node, const JointVector& values, const JointVe
                 const RobotModel& robot) {
   for (Eigen::Index i = 0; i < std::min(values.size(), limits.size()); ++i) {
     if (!(std::abs(values[i]) <= limits[i]))
-      node.fail(fmt::format("{} is {}; the task limits it to {}",
-                            robot.joints[static_cast<std::size_t>(i)].name, cell(values[i]),
-                            cell(limits[i])));
+      node.fail(fmt::format("{} is {}; its limit is {}", robot.joints[static_cast<std::size_t>(i)].name,
+                            cell(values[i]), cell(limits[i])));
   }
 }
 
@@ -95,7 +103,7 @@ void check_start_and_goal(yaml::MapReader& map, const PlanTask& task) {
     check_size(*start->find("velocity"), task.start.velocity, task.limits.velocity * robot.velocity_limits(),
                robot);
   if (task.start.acceleration.size() > 0)
-    check_size(*start->find("acceleration"), task.start.acceleration, task.limits.acceleration, robot);
+    check_size(*start->find("acceleration"), task.start.acceleration, acceleration_limits(task), robot);
 }
 
 /// Keys that say something to some kinds of task only.
@@ -228,7 +236,8 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   task.gaze_threshold = map.number_in("gaze_threshold", task.gaze_threshold, 1e-4, 3.0);
   task.end_gaze = map.boolean("end_gaze", task.end_gaze);
   task.clearance = read_clearance(map, task.scenario);
-  if (const yaml::Node* limits = map.optional("limits")) task.limits = read_limits(*limits, joints);
+  if (const yaml::Node* limits = map.optional("limits"))
+    task.limits = read_limits(*limits, *task.scenario.robot);
   const long knots = map.integer("knots", task.knots);
   if (knots < kFewestKnots || knots > kMostKnots)
     map.required("knots").fail(
@@ -251,6 +260,11 @@ PlanTask load_plan_task(const std::string& name_or_path) {
           task.scenario.active_target(std::max(0.0, task.at - task.scenario.control_period)))
     map.required("at").fail(no_switch(task));
   return task;
+}
+
+JointVector acceleration_limits(const PlanTask& task) {
+  const JointVector of_robot = task.scenario.robot->acceleration_limits();
+  return task.limits.acceleration.size() > 0 ? of_robot.cwiseMin(task.limits.acceleration).eval() : of_robot;
 }
 
 std::string plan_task_yaml(const PlanTask& task) {

@@ -29,7 +29,7 @@ std::string name(PlanKind kind);
 struct PlanLimits {
   double velocity = 1.0;     ///< share of the robot's velocity limits
   double effort = 1.0;       ///< share of its effort limits
-  JointVector acceleration;  ///< n or empty (none) [rad/s^2, m/s^2]
+  JointVector acceleration;  ///< n or empty (the robot's only) [rad/s^2, m/s^2]
   JointVector jerk;          ///< n or empty (none) [rad/s^3, m/s^3]
 };
 
@@ -66,6 +66,10 @@ struct PlanTask {
 
 /// Reads a bundled task by name, or a file by path. Throws InputError.
 PlanTask load_plan_task(const std::string& name_or_path);
+
+/// Returns the acceleration limits (n) of the plan: the task's, or the robot's if those are smaller; infinite
+/// for joints without either [rad/s^2, m/s^2].
+JointVector acceleration_limits(const PlanTask& task);
 
 /// Returns the text of the task with every default written out.
 std::string plan_task_yaml(const PlanTask& task);

@@ -35,8 +35,8 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
                                  const SequentialQuadraticOptions& options, const PlanObserver& observer);
 
 /// Solves on `grid` alone. The guess has the knots of this grid, and keeps the limits or nearly so. If the
-/// problem is barely feasible, objective and multipliers become large in comparison with the price of a
-/// violation. The objective is therefore multiplied by a weight that depends on its value at the guess.
+/// problem is barely feasible, objective and multipliers can outgrow the penalty on violations. The objective
+/// is therefore scaled by a weight, which is the smaller the larger the objective is at the guess.
 PlannedTrajectory solve_beside(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                const SequentialQuadraticOptions& options, const PlanObserver& observer);
 
