@@ -66,8 +66,8 @@ std::span<const PerturbationField> perturbation_fields() {
       {"inertia", "1", "+- relative change of each link's inertia about its centre of mass", &P::inertia, 1.0,
        false},
       {"rotor", "1",
-       "+- relative change of each rotor inertia that is not an estimate; estimates vary by a factor of 1/3 "
-       "to 3",
+       "+- relative change of each rotor inertia that the robot file does not mark as estimated. Estimated "
+       "ones vary by a factor of 1/3 to 3",
        &P::rotor, 1.0, false},
       {"friction", "1", "+- relative change of each joint's friction in the scenario", &P::friction, 1.0,
        true},

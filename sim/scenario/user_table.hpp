@@ -25,9 +25,9 @@ struct UserTable {
   bool is_described() const { return has_units || !columns.empty(); }
 };
 
-/// Reads the keys file, units and columns of a map. The caller reads the map's other keys. The path is
-/// relative to the folder of the file that contains it. units: the kinds of units that may be declared, such
-/// as "time angle" (read_file_units). Throws InputError with file, line and key.
+/// Reads the keys `file`, `units` and `columns` of a map. The caller reads the map's other keys. The path in
+/// `file` is relative to the folder of the file that contains the map. units: the kinds of units that may be
+/// declared, such as "time angle" (read_file_units). Throws InputError with file, line and key.
 UserTable read_user_table(yaml::MapReader& map, const char* units);
 
 /// The contents of the file, and its name in messages.

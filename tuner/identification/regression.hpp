@@ -32,8 +32,8 @@ class Regression {
  public:
   Regression(int joints, int rank);
 
-  /// Adds the rows of one instant: n x (rank + 1), columns (Y_base, tau), each row multiplied by the root of
-  /// its weight. The instants of a log must come in order; `begin_log` separates logs.
+  /// Adds the rows of one instant: n x (rank + 1), columns (Y_base, tau). The caller has multiplied each row
+  /// by the root of its weight. The instants of a log must come in order; `begin_log` separates logs.
   void add(const Eigen::MatrixXd& rows);
   void begin_log() { last_.clear(); }
 

@@ -34,7 +34,7 @@ std::string rotors_text(const RobotModel& robot) {
     return fmt::format("{} has no rotor inertia, because its file gives none", robot.name);
   }
   return fmt::format(
-      "no rotor inertia for {} of {}, because the file gives none there, and the file's values for the "
+      "no rotor inertia for {} of {} (the robot file gives none), and the file's rotor inertias for the "
       "other joints",
       fmt::join(without, ", "), robot.name);
 }
