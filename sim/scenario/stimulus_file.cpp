@@ -101,11 +101,11 @@ Multisine read_sines(const yaml::Node& node, double duration, double control_per
   }
   sines.periods = static_cast<int>(periods);
   if (!reached(duration, sines.window_end())) {
-    node.fail(
-        fmt::format("from {} s on, one base period for transients and {} for the measurement would end at {} "
-                    "s, but the scenario lasts only {} s; reduce 'from' or 'periods', or increase the "
-                    "duration",
-                    sines.from, periods, sines.window_end(), duration));
+    node.fail(fmt::format(
+        "the measurement from {} s on, one base period for transients and then {} base periods, would "
+        "end at {} s, but the scenario lasts only {} s; reduce 'from' or 'periods', or increase the "
+        "duration",
+        sines.from, periods, sines.window_end(), duration));
   }
   map.finish();
   return sines;

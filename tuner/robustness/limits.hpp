@@ -25,9 +25,8 @@ inline long saturated_periods_allowed(const Scenario& scenario) {
 /// Returns "torque saturated in over 1 % of the periods".
 std::string saturation_text();
 
-/// Returns the arm's own limits: joint velocities, positions and, if the robot file limits them,
-/// accelerations inside their limits, and no contact of the arm with an obstacle, with itself, with the cell
-/// or with the floor.
+/// Returns the arm's own limits. Joint positions, velocities and, if the robot file limits them,
+/// accelerations stay within their limits. The arm touches no obstacle, nor itself, the cell or the floor.
 std::vector<MetricLimit> arm_limits();
 
 /// Returns the limit that a text such as "joint_velocity/max_ratio<=0.9" describes. The relation is "<=" or

@@ -41,8 +41,9 @@ GainField own_gain(GainShape shape, const char* name, const char* unit, const ch
 GainField positive(GainField gain);
 /// Returns the same gain, but it is not multiplied to find the gain margin: a length, an angle, a scale.
 GainField not_in_loop(GainField gain);
-/// Returns the same gain, but to find the gain margin it is multiplied by the root of the factor. This suits
-/// a damping ratio: the damping also grows with the root of the stiffness.
+/// Returns the same gain, but where the search for the gain margin multiplies other gains by a factor, it
+/// multiplies this one by the factor's root. This suits a damping ratio: damping is ratio times
+/// sqrt(stiffness).
 GainField root_in_loop(GainField gain);
 /// Returns the same gain, but a search leaves it unchanged unless a study names it, and it is not multiplied
 /// to find the gain margin.

@@ -27,7 +27,7 @@ TEST(InputErrors, KeepTheirPlaceInCopiesAndWithMoreText) {
 }
 
 TEST(InputErrors, HaveNoPlaceIfNoFileIsTheCause) {
-  const InputPlace& place = InputError("--workers: 0 is given").place();
+  const InputPlace place = InputError("--workers: 0 is given").place();
   EXPECT_EQ(place.file + place.key, "");
   EXPECT_EQ(place.line, 0);
 }
