@@ -36,7 +36,7 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
 
 /// Solves on `grid` alone. The guess has the knots of this grid, and keeps the limits or nearly so. If the
 /// problem is barely feasible, objective and multipliers can outgrow the penalty on violations. The objective
-/// is therefore scaled by a weight, which is the smaller the larger the objective is at the guess.
+/// is therefore multiplied by a weight, which decreases as the objective at the guess grows.
 PlannedTrajectory solve_beside(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                const SequentialQuadraticOptions& options, const PlanObserver& observer);
 
