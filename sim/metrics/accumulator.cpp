@@ -141,19 +141,24 @@ void MetricAccumulator::add_limits(const Observation& o) {
 }
 
 void MetricAccumulator::add_acceleration(const JointVector& velocity) {
-  // Two periods give an acceleration, three a jerk.
   const double rate = 1.0 / period_;
+  double most = 0.0;
+  double most_ratio = 0.0;
+  double most_jerk = 0.0;
   for (Eigen::Index i = 0; i < velocity.size(); ++i) {
     const double acceleration = (velocity[i] - last_velocity_[i]) * rate;
-    if (periods_ > 0) {
-      acceleration_.add(acceleration);
-      if (per_acceleration_limit_[i] > 0.0)
-        acceleration_ratio_.add(acceleration * per_acceleration_limit_[i]);
-    }
-    if (periods_ > 1) jerk_.add((acceleration - last_acceleration_[i]) * rate);
+    most = std::max(most, std::abs(acceleration));
+    most_ratio = std::max(most_ratio, std::abs(acceleration) * per_acceleration_limit_[i]);
+    most_jerk = std::max(most_jerk, std::abs(acceleration - last_acceleration_[i]) * rate);
     last_acceleration_[i] = acceleration;
     last_velocity_[i] = velocity[i];
   }
+  // The second period gives the first acceleration, and the third one the first jerk.
+  if (periods_ > 0) {
+    max_acceleration_ = std::max(max_acceleration_, most);
+    max_acceleration_ratio_ = std::max(max_acceleration_ratio_, most_ratio);
+  }
+  if (periods_ > 1) max_jerk_ = std::max(max_jerk_, most_jerk);
   ++periods_;
 }
 
@@ -195,11 +200,11 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kJointEffortSaturatedPeriods:
       return first_ ? NAN : static_cast<double>(saturated_periods_);
     case Metric::kJointAccelerationMax:
-      return acceleration_.max();
+      return periods_ > 1 ? max_acceleration_ : NAN;
     case Metric::kJointAccelerationMaxRatio:
-      return acceleration_ratio_.max();
+      return periods_ > 1 && (per_acceleration_limit_.array() > 0.0).any() ? max_acceleration_ratio_ : NAN;
     case Metric::kJointJerkMax:
-      return jerk_.max();
+      return periods_ > 2 ? max_jerk_ : NAN;
     case Metric::kJointErrorMax:
       return joint_error_.max();
     case Metric::kObstacleMinClearance:

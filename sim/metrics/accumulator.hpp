@@ -112,7 +112,9 @@ class MetricAccumulator {
   JointVector last_torque_;
   JointVector last_velocity_;
   JointVector last_acceleration_;
-  Spread acceleration_, acceleration_ratio_, jerk_;
+  double max_acceleration_ = 0.0;
+  double max_acceleration_ratio_ = 0.0;
+  double max_jerk_ = 0.0;
 };
 
 }  // namespace armtune::internal

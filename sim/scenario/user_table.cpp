@@ -8,6 +8,7 @@
 #include <charconv>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
@@ -30,6 +31,7 @@ constexpr std::ptrdiff_t kMostCells = 10'000;  // of a line
 /// in it.
 std::string with_commas(std::string_view text, const std::string& path, ColumnNames names) {
   std::string result;
+  result.reserve(text.size() + 1);
   std::vector<std::string_view> cells;
   char separator = ',';
   long number = 0;
@@ -111,14 +113,14 @@ ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std
                       "columns in the scenario: {}: {{file: {}, columns: [{}]}}",
                       key, yaml::quoted(std::filesystem::path(path).filename().string()), columns));
     }
-    text = fmt::format("{}\n{}", fmt::join(file.columns, ","), text);
+    text.insert(0, fmt::format("{}\n", fmt::join(file.columns, ",")));
     name += " (with a line of names added)";
   } else if (!file.columns.empty()) {
-    text = fmt::format("{}{}", fmt::join(file.columns, ","), text.substr(end));
+    text.replace(0, end, fmt::format("{}", fmt::join(file.columns, ",")));
   } else {
-    text = plain_names(text.substr(0, end), path, file.units) + text.substr(end);
+    text.replace(0, end, plain_names(text.substr(0, end), path, file.units));
   }
-  return {CsvTable::parse(text, name, CsvOrigin::kUser), name};
+  return {CsvTable::parse(std::move(text), name, CsvOrigin::kUser), name};
 }
 
 std::vector<double> rising_seconds(const ParsedTable& parsed, const UserTable& file) {

@@ -257,10 +257,12 @@ TEST_F(Accumulated, AccelerationsAndJerksAreDifferencesOfTheVelocities) {
   EXPECT_DOUBLE_EQ(limited.so_far(Metric::kJointAccelerationMaxRatio), 0.2 / kPeriod / 4.0);
   EXPECT_TRUE(std::isnan(limited.so_far(Metric::kJointJerkMax)));
   velocity(4, 0.3);  // faster, and without a limit
+  EXPECT_DOUBLE_EQ(limited.so_far(Metric::kJointJerkMax), 0.3 / kPeriod / kPeriod);
+  velocity(4, 0.1);  // the acceleration turns round
   const Metrics m = limited.result(1.0);
   EXPECT_DOUBLE_EQ(m[Metric::kJointAccelerationMax], 0.3 / kPeriod);
   EXPECT_DOUBLE_EQ(m[Metric::kJointAccelerationMaxRatio], 0.2 / kPeriod / 4.0);
-  EXPECT_DOUBLE_EQ(m[Metric::kJointJerkMax], 0.3 / kPeriod / kPeriod);
+  EXPECT_NEAR(m[Metric::kJointJerkMax], 0.5 / kPeriod / kPeriod, 1e-12 / kPeriod / kPeriod);
   EXPECT_TRUE(std::isnan(result()[Metric::kJointAccelerationMaxRatio])) << "no joint has a limit";
 }
 
