@@ -13,7 +13,8 @@
 namespace armtune::internal {
 
 struct MotionPoints {
-  std::vector<double> time;                      ///< increasing, the first one is not negative [s]
+  std::vector<double> time;                      ///< increasing, the first one is not negative [s]; empty:
+                                                 ///< the file gives joint goals, but no times
   std::vector<MotionPoint<JointVector>> points;  ///< n joints each [rad or m, and per s, per s^2]
   PointsGive given = PointsGive::kPositions;     ///< quantities in the file; all others are zero
   std::string file;                              ///< name of the file in messages

@@ -58,6 +58,15 @@ PointsGive given_in(const CsvTable& table, const RobotModel& robot) {
   return any("velocity") ? PointsGive::kVelocities : PointsGive::kPositions;
 }
 
+/// True if the table has the positions of the joints and nothing else.
+bool has_positions_only(const CsvTable& table, const RobotModel& robot) {
+  return std::all_of(table.header().begin(), table.header().end(), [&](const std::string& column) {
+    return std::any_of(robot.joints.begin(), robot.joints.end(), [&](const JointInfo& joint) {
+      return column == joint.name || column == name_of(joint, "position");
+    });
+  });
+}
+
 MotionPoints read_rows(const UserTable& file, const RobotModel& robot) {
   const ParsedTable parsed = parse_user_table(file, ColumnNames::kAsWritten, "planned",
                                               fmt::format("time, {}", fmt::join(joint_names(robot), ", ")));
@@ -68,7 +77,7 @@ MotionPoints read_rows(const UserTable& file, const RobotModel& robot) {
         fmt::format("{} rows; a motion may have at most {}: use fewer rows", table.rows(), kMostRows));
   MotionPoints motion;
   motion.file = parsed.name;
-  motion.time = rising_seconds(parsed, file);
+  if (!has_positions_only(table, robot)) motion.time = rising_seconds(parsed, file);
   motion.given = given_in(table, robot);
   const JointVector factors = factors_of(file.units, robot);
   std::vector<std::size_t> position, velocity, acceleration;
@@ -87,6 +96,23 @@ MotionPoints read_rows(const UserTable& file, const RobotModel& robot) {
     motion.lines.push_back(line_of(row));
   }
   return motion;
+}
+
+const char* hint_for_degrees(bool message) {
+  return message
+             ? "convert degrees: a JointTrajectory has radians"
+             : "if the file is in degrees, declare this: units: {angle: deg} (for --trajectory: --degrees)";
+}
+
+/// The points of a message, or the rows of a CSV file.
+MotionPoints read_points(const PlannedFile& file, const RobotModel& robot) {
+  if (!is_trajectory_message(file.table.path)) return read_rows(file.table, robot);
+  if (file.table.is_described())
+    throw InputError(
+        InputPlace{file.table.path},
+        "'units' and 'columns' are for CSV files only; a JointTrajectory has seconds, radians and "
+        "joint_names: leave both keys out");
+  return load_trajectory_message(file.table.path, robot);
 }
 
 /// Positions become the cubic spline through them, at rest at both ends.
@@ -116,17 +142,12 @@ PlannedFile read_planned_node(const yaml::Node& node) {
 
 JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot) {
   const bool message = is_trajectory_message(file.table.path);
-  if (message && file.table.is_described())
-    throw InputError(
-        InputPlace{file.table.path},
-        "'units' and 'columns' are for CSV files only; a JointTrajectory has seconds, radians and "
-        "joint_names: leave both keys out");
-  MotionPoints motion =
-      message ? load_trajectory_message(file.table.path, robot) : read_rows(file.table, robot);
-  const MotionChecks checks(
-      robot, motion,
-      message ? "convert degrees: a JointTrajectory has radians"
-              : "if the file is in degrees, declare this: units: {angle: deg} (for --trajectory: --degrees)");
+  MotionPoints motion = read_points(file, robot);
+  if (motion.time.empty())
+    throw InputError(InputPlace{motion.file},
+                     message ? "no point has a time_from_start above 0; give each point its time"
+                             : "no column 'time'; give the time of each row in seconds");
+  const MotionChecks checks(robot, motion, hint_for_degrees(message));
   checks.at_points();
   if (file.as_ros || message || motion.given == PointsGive::kVelocities) {
     JointSpline joined(motion.time, motion.points, motion.given);
@@ -140,6 +161,27 @@ JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot
     checks.steps();
   }
   return {std::move(motion.time), std::move(motion.points)};
+}
+
+std::optional<std::vector<JointVector>> load_joint_goals(const PlannedFile& file, const RobotModel& robot) {
+  const MotionPoints motion = read_points(file, robot);
+  if (!motion.time.empty()) return std::nullopt;
+  if (motion.points.size() < 2)
+    throw InputError(
+        InputPlace{motion.file},
+        "there is only one joint goal; give at least two, the first of which is the arm's start position");
+  MotionChecks(robot, motion, hint_for_degrees(is_trajectory_message(file.table.path))).at_points();
+  std::vector<JointVector> goals;
+  goals.reserve(motion.points.size());
+  for (std::size_t k = 0; k < motion.points.size(); ++k) {
+    const MotionPoint<JointVector>& point = motion.points[k];
+    if (!point.velocity.isZero(0.0) || !point.acceleration.isZero(0.0))
+      throw InputError(motion.where(k, "time_from_start"),
+                       "the points have velocities or accelerations, but no times; give each point its time, "
+                       "or leave the velocities and accelerations out");
+    goals.push_back(point.position);
+  }
+  return goals;
 }
 
 }  // namespace armtune::internal

@@ -2,7 +2,9 @@
 // Reads a planned joint trajectory from a file: the CSV that `armtune plan` writes, a user's CSV with the
 // same columns, or a trajectory message of ROS.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/joint_spline.hpp"
@@ -35,5 +37,12 @@ PlannedFile read_planned_node(const yaml::Node& node);
 /// not rise from 0 s on, a position is outside the joint's limits, or the position or velocity of a row does
 /// not match the accelerations of this row and the row before it.
 JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot);
+
+/// Reads joint goals, which are positions without times, in the order of the robot's joints [rad, m]. A CSV
+/// file with goals has a column with the positions of each joint, and no other columns. A message has goals
+/// if time_from_start is missing or 0 in all of its points. Returns nothing if the file has times. Throws
+/// InputError with file and line if a number is missing, there are fewer than two goals, or a position is
+/// outside the joint's limits.
+std::optional<std::vector<JointVector>> load_joint_goals(const PlannedFile& file, const RobotModel& robot);
 
 }  // namespace armtune::internal

@@ -73,6 +73,18 @@ double seconds_in(const yaml::Node& time) {
          (nanoseconds == nullptr ? 0.0 : 1e-9 * nanoseconds->as_number());
 }
 
+/// True if all points lack time_from_start, or if it is 0 in all of them, as in a message that nobody filled
+/// in.
+bool have_no_times(const yaml::Node& points) {
+  const auto all = [&points](const auto& is) {
+    return std::all_of(points.items().begin(), points.items().end(), [&is](const yaml::Node& point) {
+      return point.kind() == yaml::Node::Kind::kMap && is(point.find("time_from_start"));
+    });
+  };
+  return all([](const yaml::Node* time) { return time == nullptr; }) ||
+         all([](const yaml::Node* time) { return time != nullptr && seconds_in(*time) == 0.0; });
+}
+
 /// An empty list stands for none.
 const yaml::Node* numbers_in(const yaml::Node& point, const char* key) {
   const yaml::Node* node = point.find(key);
@@ -125,29 +137,30 @@ MotionPoints load_trajectory_message(const std::string& path, const RobotModel& 
   const Points reader(message, robot);
   MotionPoints motion;
   motion.file = path;
+  const bool timed = !have_no_times(points);
   for (const yaml::Node& point : points.items()) {
-    const double time = seconds_in(required(point, "time_from_start"));
+    const double time = timed ? seconds_in(required(point, "time_from_start")) : 0.0;
     if (time < 0.0) point.fail(fmt::format("time_from_start is {} s; it must not be negative", time));
     if (!motion.time.empty() && time <= motion.time.back())
       point.fail(fmt::format("time_from_start {} s is not later than {} s in the point before; it must rise",
                              time, motion.time.back()));
     const PointsGive given = given_in(point);
-    if (motion.time.empty()) motion.given = given;
+    if (motion.points.empty()) motion.given = given;
     if (given != motion.given)
       point.fail("only some points have velocities or accelerations; give them for all or for none");
     const yaml::Node* positions = numbers_in(point, "positions");
     if (positions == nullptr) point.fail("the point has no positions; give one for each joint");
-    motion.time.push_back(time);
+    if (timed) motion.time.push_back(time);
     motion.points.push_back({reader.values(*positions),
                              reader.values_or_zero(numbers_in(point, "velocities")),
                              reader.values_or_zero(numbers_in(point, "accelerations"))});
     motion.lines.push_back(static_cast<std::size_t>(point.line()));
   }
-  if (motion.time.size() < 2)
+  if (motion.points.size() < 2)
     points.fail(
         fmt::format("the message has {} points; a motion needs at least two, and the first one is the arm's "
                     "start position",
-                    motion.time.size()));
+                    motion.points.size()));
   return motion;
 }
 

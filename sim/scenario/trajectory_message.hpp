@@ -13,9 +13,10 @@ namespace armtune::internal {
 bool is_trajectory_message(const std::string& path);
 
 /// Reads the message's points, in the order of the joints of this robot. Other joints in the file are
-/// ignored. Time is time_from_start. Throws InputError with file, line and key if a joint of the robot is
-/// missing, there are fewer than two points, only some of the points have velocities or accelerations, a
-/// number is missing, or times do not rise.
+/// ignored. Time is time_from_start. If it is missing or 0 in all points, the points are joint goals and
+/// there are no times. Throws InputError with file, line and key if a joint of the robot is missing, there
+/// are fewer than two points, only some of the points have velocities or accelerations, a number is missing,
+/// or times do not rise.
 MotionPoints load_trajectory_message(const std::string& path, const RobotModel& robot);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
-// Whatever the bytes: a motion whose times rise and whose numbers are finite, for the joints that were asked
-// for, or a line that refuses it.
+// Whatever the bytes: a motion whose times rise, if it has any, and whose numbers are finite, for the joints
+// that were asked for, or a line that refuses it.
 
 #include <cmath>
 
@@ -22,10 +22,12 @@ void check(std::string_view bytes) {
   const InputFile file(bytes);
   read_or_refuse([&] {
     const MotionPoints motion = load_trajectory_message(file.path(), arm);
-    require(!motion.time.empty() && motion.points.size() == motion.time.size());
-    require(motion.lines.size() == motion.time.size() && motion.time.front() >= 0.0);
-    for (std::size_t k = 0; k < motion.time.size(); ++k) {
-      require(std::isfinite(motion.time[k]) && (k == 0 || motion.time[k] > motion.time[k - 1]));
+    require(motion.points.size() >= 2 && motion.lines.size() == motion.points.size());
+    require(motion.time.empty() || motion.time.size() == motion.points.size());
+    for (std::size_t k = 0; k < motion.time.size(); ++k)
+      require(std::isfinite(motion.time[k]) && motion.time[k] >= 0.0 &&
+              (k == 0 || motion.time[k] > motion.time[k - 1]));
+    for (std::size_t k = 0; k < motion.points.size(); ++k) {
       for (const JointVector* values :
            {&motion.points[k].position, &motion.points[k].velocity, &motion.points[k].acceleration})
         require(values->size() == 2 && values->allFinite());

@@ -6,6 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include "tuner/cli/say.hpp"
+#ifdef ARMTUNE_SUITESPARSE
+#include "tuner/planning/session/timed_goals.hpp"
+#endif
 
 namespace armtune::internal::cli {
 
@@ -22,7 +25,8 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
           .add_option(
               "--trajectory", inputs.trajectories,
               "one or more motions for which the gains are tuned: CSV with times and joint positions, "
-              "or a trajectory_msgs/JointTrajectory as YAML")
+              "or a trajectory_msgs/JointTrajectory as YAML. Through joint positions without times, a "
+              "motion is planned")
           ->expected(1, -1);
   CLI::Option* node = command.add_option(
       "--node", inputs.node, "name of the controller to tune, if the file of --controllers has several");
@@ -44,7 +48,10 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
   degrees->needs(trajectory);
 }
 
-std::string make_controller_study(const ControllerStudyInputs& inputs, const std::string& folder) {
+std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder) {
+#ifdef ARMTUNE_SUITESPARSE
+  inputs.timing = time_goals;
+#endif
   const ControllerStudyFiles files = write_controller_study(inputs, folder);
   for (const std::string& note : files.notes) say(fmt::format("note: {}\n", note));
   say(fmt::format("wrote {}: {}\n", folder, fmt::join(files.written, ", ")));

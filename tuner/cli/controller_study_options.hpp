@@ -15,6 +15,6 @@ namespace armtune::internal::cli {
 void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inputs, bool required);
 
 /// Writes the study and prints the assumptions made; see write_controller_study. Returns the study's path.
-std::string make_controller_study(const ControllerStudyInputs& inputs, const std::string& folder);
+std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder);
 
 }  // namespace armtune::internal::cli

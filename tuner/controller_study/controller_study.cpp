@@ -7,29 +7,25 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <optional>
-#include <set>
 #include <system_error>
 #include <utility>
 
 #include "armtune/error.hpp"
-#include "core/common/file_name.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/input_file.hpp"
 #include "core/control/laws/joint_impedance_law.hpp"
 #include "core/robot/rotor_estimate.hpp"
-#include "sim/cell/clearance_model.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/metrics/metric.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/trajectory_message.hpp"
 #include "sim/yaml/document.hpp"
 #include "sim/yaml/quoted.hpp"
 #include "tuner/controller_study/controller_in_file.hpp"
 #include "tuner/controller_study/controller_rate.hpp"
+#include "tuner/controller_study/study_motions.hpp"
 #include "tuner/first_task/estimated_robot.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -81,6 +77,7 @@ search:
 /// The arm, and what of it has to be written: nothing where its files say all.
 struct Arm {
   std::shared_ptr<const RobotModel> model;
+  std::shared_ptr<const ClearanceModel> clearance;
   bool has_cell = false;                         ///< its file says what stands around it
   std::vector<std::pair<Metric, bool>> contact;  ///< each kind, and whether it can be looked for
   std::string yaml;                              ///< of robot.yaml; empty: none is needed
@@ -97,11 +94,11 @@ Arm arm_of(const std::string& robot) {
   std::vector<std::string> inputs;
   const std::optional<Cell> cell = cell_of(file, inputs);
   arm.has_cell = cell.has_value();
-  const ClearanceModel clearance(arm.model, cell.value_or(Cell{}));
+  arm.clearance = std::make_shared<const ClearanceModel>(arm.model, cell.value_or(Cell{}));
   for (const auto& [metric, kind] : {std::pair{Metric::kClearanceSelf, Clearance::kSelf},
                                      {Metric::kClearanceCell, Clearance::kCell},
                                      {Metric::kClearanceFloor, Clearance::kFloor}})
-    arm.contact.emplace_back(metric, clearance.has(kind));
+    arm.contact.emplace_back(metric, arm.clearance->has(kind));
   if (!lacks_rotors(file, *arm.model)) return arm;
   RobotModel estimated = *arm.model;
   estimate_rotors(estimated);
@@ -130,69 +127,16 @@ std::string constraints_of(const Arm& arm) {
   return text;
 }
 
-/// A motion, and what its scenario is called.
-struct Move {
-  std::string file;
-  std::string name;
-};
-
-/// Each called as its file, with a number where that is taken.
-std::vector<Move> moves_of(const std::vector<std::string>& files) {
-  std::vector<Move> moves;
-  std::set<std::string> taken = {"study", "robot"};
-  for (const std::string& file : files) {
-    const std::string stem = std::filesystem::path(file).stem().string();
-    std::string name = stem;
-    for (int number = 2; !taken.insert(name).second; ++number) name = fmt::format("{}_{}", stem, number);
-    check_result_name(name, file);
-    moves.push_back({file, name});
-  }
-  return moves;
-}
-
-/// Whether a motion goes along straight lines, so that its velocity jumps at points.
-bool is_straight(const JointSpline& motion) {
-  const std::vector<double>& time = motion.time();
-  for (std::size_t k = 0; k + 1 < time.size(); ++k) {
-    const double h = time[k + 1] - time[k];
-    if (!motion.at(time[k] + 0.5 * h).velocity.isZero(1e-9) &&
-        motion.at(time[k] + 0.25 * h).acceleration.isZero(1e-9) &&
-        motion.at(time[k] + 0.75 * h).acceleration.isZero(1e-9))
-      return true;
-  }
-  return false;
-}
-
-JointSpline motion_of(const Move& move, const ControllerStudyInputs& inputs, const RobotModel& arm) {
-  PlannedFile file{{move.file}, true};
-  if (inputs.degrees && !is_trajectory_message(move.file)) file.table.units.angle = std::numbers::pi / 180.0;
-  return load_planned_motion(file, arm);
-}
-
-/// Adds what is taken for granted of a motion.
-void add_notes(const Move& move, const JointSpline& motion, std::vector<std::string>& notes) {
-  if (is_straight(motion))
-    notes.push_back(fmt::format(
-        "{} has positions but no velocities. As in ROS, straight lines then join the points, and the desired "
-        "velocity jumps at every point. A file that also has velocities gives smaller tracking errors",
-        move.file));
-  if (motion.begin() > 0.0)
-    notes.push_back(fmt::format(
-        "{} begins at {:g} s, and the motion to its first point is not simulated; add a point at 0 s with "
-        "the arm's position at that time",
-        move.file, motion.begin()));
-}
-
-std::string scenario_yaml(const Move& move, const Arm& arm, const ControllerStudyInputs& inputs,
+std::string scenario_yaml(const StudyMotion& move, const Arm& arm, const ControllerStudyInputs& inputs,
                           const ControllerInFile& from, double period) {
-  const bool degrees = inputs.degrees && !is_trajectory_message(move.file);
+  const bool degrees = inputs.degrees && move.timed.empty() && !is_trajectory_message(move.file);
   return fmt::format(
       kScenario,
       fmt::arg("description", yaml::quoted(fmt::format("{} follows {} under {}", arm.model->name,
                                                        std::filesystem::path(move.file).filename().string(),
                                                        from.controller.name))),
-      fmt::arg("robot", yaml::quoted(arm.reference)),
-      fmt::arg("motion", yaml::quoted(absolute_path(move.file))), fmt::arg("period", period),
+      fmt::arg("robot", yaml::quoted(arm.reference)), fmt::arg("motion", yaml::quoted(move.reference)),
+      fmt::arg("period", period),
       fmt::arg("masses", from.gains.controller == kJointImpedance
                              ? "the robot's own model of the arm, which gravity torques follow from"
                              : "no effect: this controller uses no masses"),
@@ -204,11 +148,12 @@ std::string scenario_yaml(const Move& move, const Arm& arm, const ControllerStud
                    : ""));
 }
 
-std::string study_yaml(const std::vector<Move>& moves, const Arm& arm, const ControllerStudyInputs& inputs,
-                       const std::string& controller, const std::string& parameters) {
+std::string study_yaml(const std::vector<StudyMotion>& moves, const Arm& arm,
+                       const ControllerStudyInputs& inputs, const std::string& controller,
+                       const std::string& parameters) {
   std::vector<std::string> scenarios;
   scenarios.reserve(moves.size());
-  for (const Move& move : moves) scenarios.push_back(yaml::quoted(move.name + ".yaml"));
+  for (const StudyMotion& move : moves) scenarios.push_back(yaml::quoted(move.name + ".yaml"));
   return fmt::format(
       kStudy,
       fmt::arg("description", yaml::quoted(fmt::format("gains of {} for {}", controller, arm.model->name))),
@@ -247,12 +192,9 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
     throw InputError(
         InputPlace{inputs.controllers},
         "the file has no update_rate of the controller manager; give the control rate with --rate HZ");
-  const std::vector<Move> moves = moves_of(inputs.trajectories);
-
-  std::vector<JointSpline> motions;
-  motions.reserve(moves.size());
-  for (const Move& move : moves) motions.push_back(motion_of(move, inputs, *arm.model));
-  const JointVector start = motions.front().at(motions.front().begin()).position;
+  const std::vector<StudyMotion> moves = study_motions(inputs, arm.model, arm.clearance);
+  const JointSpline& first = moves.front().motion;
+  const JointVector start = first.at(first.begin()).position;
   std::vector<std::string> undamped;
   const std::string parameters = tuned_parameters(from, *arm.model, start, undamped);
 
@@ -260,9 +202,10 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
   files.study = folder + "/study.yaml";
   std::vector<std::pair<std::string, std::string>> texts = {
       {"study.yaml", study_yaml(moves, arm, inputs, controller, parameters)}};
-  for (std::size_t k = 0; k < moves.size(); ++k) {
-    add_notes(moves[k], motions[k], files.notes);
-    texts.emplace_back(moves[k].name + ".yaml", scenario_yaml(moves[k], arm, inputs, from, 1.0 / *rate));
+  for (const StudyMotion& move : moves) {
+    add_notes(move, files.notes);
+    texts.emplace_back(move.name + ".yaml", scenario_yaml(move, arm, inputs, from, 1.0 / *rate));
+    if (!move.timed.empty()) texts.emplace_back(move.reference, move.timed);
   }
   if (!undamped.empty())
     files.notes.push_back(

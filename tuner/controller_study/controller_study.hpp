@@ -2,19 +2,35 @@
 // Creates a study, which is armtune's description of a tuning problem, from files that the user of a robot
 // already has: a model of the arm, the ROS parameter file of its controller, and motions for it to follow.
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/trajectory/joint_spline.hpp"
+#include "sim/cell/clearance_model.hpp"
+
 namespace armtune::internal {
+
+/// Joint positions that an arm reaches one after another, and stops at.
+struct JointGoals {
+  std::string file;  ///< where they come from, for messages
+  std::shared_ptr<const RobotModel> robot;
+  std::shared_ptr<const ClearanceModel> clearance;  ///< what must not touch
+  std::vector<JointVector> positions;               ///< n each, at least two [rad, m]
+};
+
+/// Returns a motion through the goals, from 0 s on, whose acceleration is linear between its knots.
+using GoalTiming = std::function<JointSpline(const JointGoals&)>;
 
 /// Files of the user. Relative paths begin at the current folder.
 struct ControllerStudyInputs {
   std::string robot;                      ///< bundled name, robot YAML or URDF
   std::string controllers;                ///< ROS parameter file with a joint_trajectory_controller
   std::string node;                       ///< name of the controller in the file; empty: the only one
-  std::vector<std::string> trajectories;  ///< CSV files or ROS messages, at least one
+  std::vector<std::string> trajectories;  ///< CSV files or ROS messages, at least one; with times or without
   double rate = 0.0;                      ///< rate of the controller [Hz]; 0: the file's update_rate
   bool degrees = false;                   ///< true: angles in CSV files are in degrees, not in radians
+  GoalTiming timing = {};                 ///< for files without times; empty: these are refused
 };
 
 /// The files that were written, with notes for the user.
@@ -24,8 +40,9 @@ struct ControllerStudyFiles {
   std::vector<std::string> notes;    ///< assumptions that were made, one sentence each
 };
 
-/// Writes a study of the controller's gains into a new folder: study.yaml, a scenario for each motion, and,
-/// if no file gives the arm's rotor inertia, robot.yaml with an estimate. If the folder already holds exactly
+/// Writes a study of the controller's gains into a new folder: study.yaml, a scenario for each motion, the
+/// planned motion for each file without times, and, if no file gives the arm's rotor inertia, robot.yaml with
+/// an estimate. If the folder already holds exactly
 /// these files, they are kept. Reads all inputs before it writes anything. Throws InputError with the reason
 /// if the study cannot be made, if tuned gains could later not be written into the parameter file, or if the
 /// folder holds anything else.

@@ -253,6 +253,51 @@ TEST_F(PlannedMotion, AFileThatIsNotOneIsRefused) {
               AllOf(HasSubstr("plan.csv:1"), HasSubstr("joint/elbow_joint/velocity")));
 }
 
+constexpr const char* kJoints =
+    "shoulder_pan_joint,shoulder_lift_joint,joint/elbow_joint/position,wrist_1_joint,wrist_2_joint,wrist_3_joint";
+
+TEST_F(PlannedMotion, JointGoalsArePositionsWithoutTimes) {
+  PlannedFile file{{folder_.write("goals.csv", kJoints + std::string("\n0,0,45,0,0,0\n0,-90,0,0,0,0\n"))}};
+  file.table.units.angle = std::numbers::pi / 180.0;
+  const auto goals = load_joint_goals(file, *robot_);
+  ASSERT_TRUE(goals);
+  ASSERT_EQ(goals->size(), 2U);
+  EXPECT_DOUBLE_EQ(goals->front()[2], std::numbers::pi / 4.0);
+  EXPECT_DOUBLE_EQ(goals->back()[1], -std::numbers::pi / 2.0);
+  EXPECT_FALSE(load_joint_goals({{write(csv())}}, *robot_)) << "it has times";
+  const std::string message =
+      folder_.write("goals.yaml",
+                    "joint_names: [shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, "
+                    "wrist_2_joint, wrist_3_joint]\npoints:\n- {positions: [0, 0, 1, 0, 0, 0]}\n"
+                    "- {positions: [0, 0, 2, 0, 0, 0]}\n");
+  EXPECT_EQ(load_joint_goals({{message}}, *robot_).value()[1][2], 2.0);
+  // A motion needs times.
+  EXPECT_THAT(refusal([&] { load(file.table.path); }),
+              AllOf(HasSubstr("goals.csv"), HasSubstr("no column 'time'")));
+  EXPECT_THAT(refusal([&] { load(message); }), AllOf(HasSubstr("goals.yaml"), HasSubstr("time_from_start")));
+}
+
+TEST_F(PlannedMotion, JointGoalsThatCannotBeMeantAreRefused) {
+  const auto refused = [&](const std::string& text) {
+    const std::string path = write(text);
+    return refusal([&] { load_joint_goals({{path}}, *robot_); });
+  };
+  const std::string header = kJoints;
+  EXPECT_THAT(refused("clock," + header + "\n0,0,0,0,0,0,0\n1,1,0,0,0,0,0\n"), HasSubstr("no column 'time'"));
+  EXPECT_THAT(refused(header + "\n0,0,0,0,0,0\n"), HasSubstr("only one joint goal"));
+  EXPECT_THAT(refused(header + "\n0,0,0,0,0,0\n0,0,4,0,0,0\n"),
+              AllOf(HasSubstr("plan.csv:3"), HasSubstr("-3.14159 .. 3.14159")));
+  EXPECT_THAT(refused("shoulder_pan_joint\n0\n1\n"), HasSubstr("joint/shoulder_lift_joint/position"));
+  const std::string message =
+      folder_.write("goals.yaml",
+                    "joint_names: [shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, "
+                    "wrist_2_joint, wrist_3_joint]\npoints:\n"
+                    "- {positions: [0, 0, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0]}\n"
+                    "- {positions: [0, 0, 2, 0, 0, 0], velocities: [0, 0, 1, 0, 0, 0]}\n");
+  EXPECT_THAT(refusal([&] { load_joint_goals({{message}}, *robot_); }),
+              AllOf(HasSubstr("goals.yaml:4"), HasSubstr("but no times")));
+}
+
 TEST_F(PlannedMotion, AScenarioBeginsWithItAndLastsAsLongUnlessItSaysOtherwise) {
   write(csv());
   const Scenario s = scenario("planned: plan.csv\nduration: planned\n");

@@ -98,7 +98,9 @@ TEST_F(TrajectoryMessage, WhatRosWouldNotFollowIsRefusedWithItsLine) {
   EXPECT_THAT(refused("joint_names: [elbow_joit]\n" + points("", "1")),
               AllOf(HasSubstr("moves.yaml:1"), HasSubstr("'shoulder_pan_joint' of ur10 is missing"),
                     HasSubstr("elbow_joit")));
-  EXPECT_THAT(refused(kNames + points("", "0")), AllOf(HasSubstr("moves.yaml:4"), HasSubstr("must rise")));
+  EXPECT_THAT(
+      refused(kNames + points("", "1e-9") + fmt::format("- {{positions: {}, time_from_start: 0}}\n", zeros)),
+      AllOf(HasSubstr("moves.yaml:5"), HasSubstr("must rise")));
   EXPECT_THAT(refused(kNames + points("", "-1")), HasSubstr("-1 s; it must not be negative"));
   EXPECT_THAT(refused(kNames + points(", accelerations: " + zeros, "1")), HasSubstr("no velocities"));
   EXPECT_THAT(refused(kNames + points(", velocities: [0, 0]", "1")),
@@ -111,6 +113,19 @@ TEST_F(TrajectoryMessage, WhatRosWouldNotFollowIsRefusedWithItsLine) {
   EXPECT_THAT(refused(kNames + one + "- {time_from_start: 1}\n"), HasSubstr("no positions"));
   EXPECT_THAT(refused(kNames + one + fmt::format("- {{positions: {}}}\n", zeros)),
               HasSubstr("time_from_start"));
+}
+
+TEST_F(TrajectoryMessage, HasNoTimesIfNoPointOrOnlyZerosGiveThem) {
+  for (const char* time : {"", ", time_from_start: 0", ", time_from_start: {sec: 0, nanosec: 0}"}) {
+    std::string text = kNames + std::string("points:\n");
+    for (const double elbow : {0.0, 0.5, 1.0})
+      text += fmt::format("- {{positions: [{}, 0, 0, 0, 0, 0, 0]{}}}\n", elbow, time);
+    const MotionPoints motion = load(text);
+    EXPECT_TRUE(motion.time.empty()) << time;
+    ASSERT_EQ(motion.points.size(), 3U);
+    EXPECT_EQ(motion.points[1].position[2], 0.5);
+    EXPECT_EQ(motion.lines, (std::vector<std::size_t>{3, 4, 5}));
+  }
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ namespace controller_study_test {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
@@ -115,6 +116,36 @@ TEST(ControllerStudy, SaysNothingOfAMotionWithVelocities) {
   const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
   EXPECT_THAT(files.notes, IsEmpty());
   EXPECT_EQ(load_study(files.study).scenarios[0].planned->at(1.0).position[0], 0.5);
+}
+
+TEST(ControllerStudy, PlansTheMotionThroughGoalsWithoutTimes) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  const std::string goals =
+      "shoulder_pan_joint,shoulder_lift_joint,elbow_joint,wrist_1_joint,wrist_2_joint,wrist_3_joint\n"
+      "0,-90,60,-60,-90,0\n30,-70,60,-60,-90,0\n";
+  inputs.trajectories = {folder.write("goals.csv", goals)};
+  inputs.degrees = true;
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }), HasSubstr("'time'"));
+  JointGoals asked;
+  inputs.timing = [&asked](const JointGoals& given) {
+    asked = given;
+    const JointVector zero = JointVector::Zero(6);
+    return JointSpline({0.0, 1.0, 2.0}, {{given.positions[0], zero, JointVector::Constant(6, 1.0 / 3.0)},
+                                         {given.positions[0], zero, JointVector::Constant(6, -1.0 / 7.0)},
+                                         {given.positions[1], zero, zero}});
+  };
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
+  ASSERT_EQ(asked.positions.size(), 2U);
+  EXPECT_DOUBLE_EQ(asked.positions[1][0], std::numbers::pi / 6.0);
+  EXPECT_EQ(asked.robot->name, "ur5e");
+  EXPECT_TRUE(asked.clearance->has(Clearance::kSelf));
+  EXPECT_THAT(files.written, UnorderedElementsAre("study.yaml", "goals.yaml", "goals.csv"));
+  EXPECT_THAT(files.notes, ElementsAre(HasSubstr("takes 2.0 s")));
+  const Scenario scenario = load_study(files.study).scenarios.front();
+  EXPECT_EQ(scenario.planned->time(), (std::vector{0.0, 1.0, 2.0}));
+  EXPECT_EQ(scenario.planned->knots()[1].acceleration, JointVector(JointVector::Constant(6, -1.0 / 7.0)));
+  EXPECT_EQ(scenario.planned->knots()[2].position, asked.positions[1]);
 }
 
 TEST(ControllerStudy, TakesTheRateThatIsGivenOverTheFiles) {

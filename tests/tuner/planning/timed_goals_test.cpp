@@ -1,0 +1,116 @@
+#include "tuner/planning/session/timed_goals.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/trajectory/linear_acceleration.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "tests/core/support/states.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune::internal {
+namespace timed_goals_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+JointVector ur5e_at(double pan, double lift, double elbow) {
+  JointVector q(6);
+  q << pan, lift, elbow, -1.2, -1.57, 0.0;
+  return q;
+}
+
+JointGoals goals_of(std::shared_ptr<const RobotModel> robot, std::vector<JointVector> positions) {
+  auto clearance = std::make_shared<const ClearanceModel>(robot, Cell{});
+  return {"goals.csv", std::move(robot), std::move(clearance), std::move(positions)};
+}
+
+/// The largest share of each limit that a motion uses at its knots, and of jerk between them.
+struct Use {
+  double velocity = 0.0, acceleration = 0.0, jerk = 0.0, effort = 0.0;
+};
+
+Use use_of(const JointSpline& motion, const RobotModel& robot, const JointVector& acceleration) {
+  Use use;
+  for (std::size_t k = 0; k < motion.knots().size(); ++k) {
+    const MotionPoint<JointVector>& knot = motion.knots()[k];
+    const auto ratio = [](const JointVector& a, const JointVector& b) {
+      return a.cwiseAbs().cwiseQuotient(b).maxCoeff();
+    };
+    use.velocity = std::max(use.velocity, ratio(knot.velocity, robot.velocity_limits()));
+    use.acceleration = std::max(use.acceleration, ratio(knot.acceleration, acceleration));
+    use.effort = std::max(use.effort, ratio(test::inverse_dynamics_at(robot.chain, knot.position,
+                                                                      knot.velocity, knot.acceleration),
+                                            robot.effort_limits()));
+    if (k == 0) continue;
+    const MotionPoint<JointVector>& before = motion.knots()[k - 1];
+    const double h = motion.time()[k] - motion.time()[k - 1];
+    use.jerk = std::max(use.jerk, ratio((knot.acceleration - before.acceleration) / h, acceleration / 0.1));
+    const MotionPoint<JointVector> reached = linear_acceleration(before, knot.acceleration, h, h);
+    EXPECT_LT((reached.position - knot.position).lpNorm<Eigen::Infinity>(), 1e-7) << "at knot " << k;
+    EXPECT_LT((reached.velocity - knot.velocity).lpNorm<Eigen::Infinity>(), 1e-6) << "at knot " << k;
+  }
+  return use;
+}
+
+TEST(TimedGoals, AreReachedInTurnAtRestAndInsideTheLimits) {
+  const auto robot = load_robot("ur5e");
+  const std::vector<JointVector> positions = {ur5e_at(0.0, -1.5, 1.2), ur5e_at(1.5, -1.0, 1.5),
+                                              ur5e_at(-0.5, -1.2, 0.9)};
+  const JointSpline motion = time_goals(goals_of(robot, positions));
+  EXPECT_EQ(motion.begin(), 0.0);
+  std::size_t reached = 0;
+  double rest = 0.0;
+  for (std::size_t k = 0; k + 1 < motion.knots().size(); ++k) {
+    if (!motion.knots()[k].velocity.isZero(0.0) || !motion.knots()[k + 1].velocity.isZero(0.0)) continue;
+    EXPECT_EQ(motion.knots()[k].position, positions.at(++reached));
+    EXPECT_TRUE(motion.knots()[k].acceleration.isZero(0.0));
+    rest += motion.time()[k + 1] - motion.time()[k];
+  }
+  EXPECT_EQ(reached, 2U);
+  EXPECT_NEAR(rest, 1.0, 1e-12);
+  const JointVector acceleration = 0.8 / 0.5 * robot->velocity_limits();
+  const Use use = use_of(motion, *robot, acceleration);
+  for (const double share : {use.velocity / 0.8, use.effort / 0.8, use.acceleration, use.jerk})
+    EXPECT_LT(share, 1.0 + 1e-6);
+  // In the least time: a limit is used up.
+  EXPECT_GT(std::max(use.velocity / 0.8, use.acceleration), 1.0 - 1e-3);
+  EXPECT_GT(use.jerk, 1.0 - 1e-3);
+}
+
+TEST(TimedGoals, KeepTheRobotsAccelerationLimits) {
+  RobotModel slow = *load_robot("ur5e");
+  for (JointInfo& joint : slow.joints) joint.limits.acceleration = 0.5;
+  const auto robot = std::make_shared<const RobotModel>(slow);
+  const JointSpline motion = time_goals(goals_of(robot, {ur5e_at(0.0, -1.5, 1.2), ur5e_at(1.5, -1.0, 1.5)}));
+  const Use use = use_of(motion, *robot, JointVector::Constant(6, 0.5));
+  EXPECT_LT(use.acceleration, 1.0 + 1e-6);
+  EXPECT_GT(use.acceleration, 1.0 - 1e-3);
+  EXPECT_LT(use.jerk, 1.0 + 1e-6);
+  // 1.5 rad at 0.5 rad/s^2 without jerk limits would take 2 sqrt(1.5 / 0.5) s; a ramp of 0.1 s adds 0.1 s.
+  EXPECT_NEAR(motion.end() - 0.5, 2.0 * std::sqrt(3.0) + 0.1, 0.02);
+}
+
+TEST(TimedGoals, AGoalTwiceInTurnIsARest) {
+  const JointVector there = ur5e_at(0.0, -1.5, 1.2);
+  const JointSpline motion = time_goals(goals_of(load_robot("ur5e"), {there, there, there}));
+  EXPECT_EQ(motion.time(), (std::vector{0.0, 0.5, 1.0}));
+  EXPECT_EQ(motion.at(0.7).position, there);
+}
+
+TEST(TimedGoals, ThatTouchTheArmOrNeedTooMuchTorqueAreRefused) {
+  const auto robot = load_robot("ur5e");
+  const JointVector fine = ur5e_at(0.0, -1.5, 1.2);
+  const auto refused = [&](const JointGoals& goals) { return test::refusal([&] { time_goals(goals); }); };
+  // Folded until the wrist is in the upper arm.
+  EXPECT_THAT(refused(goals_of(robot, {ur5e_at(0.0, -1.5, 3.1), fine})),
+              AllOf(HasSubstr("goals.csv"), HasSubstr("clearance")));
+  EXPECT_THAT(refused(goals_of(robot, {fine, ur5e_at(0.0, -1.5, 3.1)})), HasSubstr("from goal 1 to goal 2"));
+  RobotModel weak = *robot;
+  weak.joints[1].limits.effort = 20.0;
+  EXPECT_THAT(refused(goals_of(std::make_shared<const RobotModel>(weak), {fine, ur5e_at(0.0, 0.0, 0.0)})),
+              AllOf(HasSubstr("goals.csv"), HasSubstr("shoulder_lift_joint"), HasSubstr("torque")));
+}
+
+}  // namespace timed_goals_test
+}  // namespace armtune::internal
