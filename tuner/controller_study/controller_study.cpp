@@ -129,7 +129,7 @@ std::string constraints_of(const Arm& arm) {
 
 std::string scenario_yaml(const StudyMotion& move, const Arm& arm, const ControllerStudyInputs& inputs,
                           const ControllerInFile& from, double period) {
-  const bool degrees = inputs.degrees && move.timed.empty() && !is_trajectory_message(move.file);
+  const bool degrees = inputs.degrees && move.message.empty() && !is_trajectory_message(move.file);
   return fmt::format(
       kScenario,
       fmt::arg("description", yaml::quoted(fmt::format("{} follows {} under {}", arm.model->name,
@@ -192,7 +192,8 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
     throw InputError(
         InputPlace{inputs.controllers},
         "the file has no update_rate of the controller manager; give the control rate with --rate HZ");
-  const std::vector<StudyMotion> moves = study_motions(inputs, arm.model, arm.clearance);
+  const std::vector<StudyMotion> moves =
+      study_motions(inputs, {"", arm.model, arm.clearance, {}, from.controller.ros2});
   const JointSpline& first = moves.front().motion;
   const JointVector start = first.at(first.begin()).position;
   std::vector<std::string> undamped;
@@ -205,7 +206,7 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
   for (const StudyMotion& move : moves) {
     add_notes(move, files.notes);
     texts.emplace_back(move.name + ".yaml", scenario_yaml(move, arm, inputs, from, 1.0 / *rate));
-    if (!move.timed.empty()) texts.emplace_back(move.reference, move.timed);
+    if (!move.message.empty()) texts.emplace_back(move.reference, move.message);
   }
   if (!undamped.empty())
     files.notes.push_back(

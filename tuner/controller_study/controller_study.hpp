@@ -17,10 +17,15 @@ struct JointGoals {
   std::shared_ptr<const RobotModel> robot;
   std::shared_ptr<const ClearanceModel> clearance;  ///< what must not touch
   std::vector<JointVector> positions;               ///< n each, at least two [rad, m]
+  bool ros2 = true;                                 ///< version of ROS that the message is for
 };
 
-/// Returns a motion through the goals, from 0 s on, whose acceleration is linear between its knots.
-using GoalTiming = std::function<JointSpline(const JointGoals&)>;
+/// A motion through joint goals, from 0 s on.
+struct TimedGoals {
+  JointSpline motion;   ///< its acceleration is linear between knots
+  std::string message;  ///< the same motion as a trajectory_msgs/JointTrajectory in YAML
+};
+using GoalTiming = std::function<TimedGoals(const JointGoals&)>;
 
 /// Files of the user. Relative paths begin at the current folder.
 struct ControllerStudyInputs {
@@ -41,11 +46,10 @@ struct ControllerStudyFiles {
 };
 
 /// Writes a study of the controller's gains into a new folder: study.yaml, a scenario for each motion, the
-/// planned motion for each file without times, and, if no file gives the arm's rotor inertia, robot.yaml with
-/// an estimate. If the folder already holds exactly
-/// these files, they are kept. Reads all inputs before it writes anything. Throws InputError with the reason
-/// if the study cannot be made, if tuned gains could later not be written into the parameter file, or if the
-/// folder holds anything else.
+/// message with the planned motion for each file without times, and, if no file gives the arm's rotor
+/// inertia, robot.yaml with an estimate. If the folder already holds exactly these files, they are kept.
+/// Reads all inputs before it writes anything. Throws InputError with the reason if the study cannot be made,
+/// if tuned gains could later not be written into the parameter file, or if the folder holds anything else.
 ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs, const std::string& folder);
 
 }  // namespace armtune::internal

@@ -10,13 +10,14 @@
 
 #include "core/common/file_name.hpp"
 #include "core/common/file_path.hpp"
-#include "sim/csv/cell.hpp"
 #include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/trajectory_message.hpp"
 
 namespace armtune::internal {
 namespace {
+
+constexpr const char* kMotion = "_motion";  // behind the scenario's name: a motion that was planned
 
 /// One for each file, called as that, with a number where that is taken.
 std::vector<std::string> names_of(const std::vector<std::string>& files) {
@@ -25,8 +26,10 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     const std::string stem = std::filesystem::path(file).stem().string();
     std::string name = stem;
-    for (int number = 2; !taken.insert(name).second; ++number) name = fmt::format("{}_{}", stem, number);
-    check_result_name(name, file);
+    for (int number = 2; taken.count(name) + taken.count(name + kMotion) > 0; ++number)
+      name = fmt::format("{}_{}", stem, number);
+    check_result_name(name + kMotion, file);
+    taken.insert({name, name + kMotion});
     names.push_back(name);
   }
   return names;
@@ -45,27 +48,9 @@ bool is_straight(const JointSpline& motion) {
   return false;
 }
 
-/// The knots of a motion, from which it reads back to the same bits.
-std::string motion_csv(const JointSpline& motion, const std::vector<std::string>& joints) {
-  std::string text = "time";
-  for (const char* what : {"position", "velocity", "acceleration"}) {
-    for (const std::string& joint : joints) text += "," + cell(fmt::format("joint/{}/{}", joint, what));
-  }
-  for (std::size_t k = 0; k < motion.time().size(); ++k) {
-    const MotionPoint<JointVector>& knot = motion.knots()[k];
-    text += "\n" + cell(motion.time()[k]);
-    for (const JointVector* values : {&knot.position, &knot.velocity, &knot.acceleration}) {
-      for (const double value : *values) text += "," + cell(value);
-    }
-  }
-  return text + "\n";
-}
-
 }  // namespace
 
-std::vector<StudyMotion> study_motions(const ControllerStudyInputs& inputs,
-                                       const std::shared_ptr<const RobotModel>& robot,
-                                       const std::shared_ptr<const ClearanceModel>& clearance) {
+std::vector<StudyMotion> study_motions(const ControllerStudyInputs& inputs, JointGoals arm) {
   const std::vector<std::string> names = names_of(inputs.trajectories);
   std::vector<StudyMotion> motions;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -73,23 +58,25 @@ std::vector<StudyMotion> study_motions(const ControllerStudyInputs& inputs,
     PlannedFile file{{path}, true};
     if (inputs.degrees && !is_trajectory_message(path)) file.table.units.angle = std::numbers::pi / 180.0;
     std::optional<std::vector<JointVector>> goals;
-    if (inputs.timing) goals = load_joint_goals(file, *robot);
+    if (inputs.timing) goals = load_joint_goals(file, *arm.robot);
     if (!goals) {
-      motions.push_back({path, names[i], load_planned_motion(file, *robot), absolute_path(path), ""});
+      motions.push_back({path, names[i], load_planned_motion(file, *arm.robot), absolute_path(path), ""});
       continue;
     }
-    JointSpline motion = inputs.timing({path, robot, clearance, std::move(*goals)});
-    std::string csv = motion_csv(motion, joint_names(*robot));
-    motions.push_back({path, names[i], std::move(motion), names[i] + ".csv", std::move(csv)});
+    arm.file = path;
+    arm.positions = std::move(*goals);
+    TimedGoals timed = inputs.timing(arm);
+    motions.push_back(
+        {path, names[i], std::move(timed.motion), names[i] + kMotion + ".yaml", std::move(timed.message)});
   }
   return motions;
 }
 
 void add_notes(const StudyMotion& move, std::vector<std::string>& notes) {
-  if (!move.timed.empty())
+  if (!move.message.empty())
     notes.push_back(fmt::format(
         "{} has joint goals but no times. The motion through them was planned, takes {:.1f} s and stops at "
-        "every goal: see {}",
+        "every goal: {} has it for the robot",
         move.file, move.motion.end(), move.reference));
   if (is_straight(move.motion))
     notes.push_back(fmt::format(

@@ -16,14 +16,12 @@ struct StudyMotion {
   std::string name;       ///< of the scenario: as the file, with a number if that name is taken
   JointSpline motion;     ///< in radians, metres and seconds
   std::string reference;  ///< how the scenario names the file with the motion
-  std::string timed;      ///< CSV of the motion if it was planned through the file's joint goals, or empty
+  std::string message;    ///< ROS message if the motion was planned through the file's joint goals, or empty
 };
 
-/// Reads a motion from each file of inputs.trajectories. robot and clearance: the arm and what must not
-/// touch, for motions that are planned. Throws InputError.
-std::vector<StudyMotion> study_motions(const ControllerStudyInputs& inputs,
-                                       const std::shared_ptr<const RobotModel>& robot,
-                                       const std::shared_ptr<const ClearanceModel>& clearance);
+/// Reads a motion from each file of inputs.trajectories, or plans it. arm: without file and positions. Throws
+/// InputError.
+std::vector<StudyMotion> study_motions(const ControllerStudyInputs& inputs, JointGoals arm);
 
 /// Adds notes on what is assumed of a motion, one sentence each.
 void add_notes(const StudyMotion& move, std::vector<std::string>& notes);

@@ -24,7 +24,6 @@ namespace controller_study_test {
 
 using testing::AllOf;
 using testing::Contains;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
@@ -131,21 +130,22 @@ TEST(ControllerStudy, PlansTheMotionThroughGoalsWithoutTimes) {
   inputs.timing = [&asked](const JointGoals& given) {
     asked = given;
     const JointVector zero = JointVector::Zero(6);
-    return JointSpline({0.0, 1.0, 2.0}, {{given.positions[0], zero, JointVector::Constant(6, 1.0 / 3.0)},
-                                         {given.positions[0], zero, JointVector::Constant(6, -1.0 / 7.0)},
-                                         {given.positions[1], zero, zero}});
+    return TimedGoals{
+        {{0.0, 2.0}, {{given.positions[0], zero, zero}, {given.positions[1], zero, zero}}},
+        "joint_names: [shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, "
+        "wrist_3_joint]\npoints:\n- {positions: [0, -1.5, 1, 0, 0, 0], time_from_start: 0}\n"
+        "- {positions: [1, -1.5, 1, 0, 0, 0], time_from_start: 3}\n"};
   };
   const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
   ASSERT_EQ(asked.positions.size(), 2U);
   EXPECT_DOUBLE_EQ(asked.positions[1][0], std::numbers::pi / 6.0);
   EXPECT_EQ(asked.robot->name, "ur5e");
   EXPECT_TRUE(asked.clearance->has(Clearance::kSelf));
-  EXPECT_THAT(files.written, UnorderedElementsAre("study.yaml", "goals.yaml", "goals.csv"));
-  EXPECT_THAT(files.notes, ElementsAre(HasSubstr("takes 2.0 s")));
+  EXPECT_TRUE(asked.ros2);
+  EXPECT_THAT(files.written, UnorderedElementsAre("study.yaml", "goals.yaml", "goals_motion.yaml"));
+  EXPECT_THAT(files.notes, Contains(AllOf(HasSubstr("takes 2.0 s"), HasSubstr("goals_motion.yaml"))));
   const Scenario scenario = load_study(files.study).scenarios.front();
-  EXPECT_EQ(scenario.planned->time(), (std::vector{0.0, 1.0, 2.0}));
-  EXPECT_EQ(scenario.planned->knots()[1].acceleration, JointVector(JointVector::Constant(6, -1.0 / 7.0)));
-  EXPECT_EQ(scenario.planned->knots()[2].position, asked.positions[1]);
+  EXPECT_EQ(scenario.planned->end(), 3.0) << "the scenario follows the message";
 }
 
 TEST(ControllerStudy, TakesTheRateThatIsGivenOverTheFiles) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/trajectory/linear_acceleration.hpp"
+#include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/sim/support/files.hpp"
@@ -57,7 +58,8 @@ TEST(TimedGoals, AreReachedInTurnAtRestAndInsideTheLimits) {
   const auto robot = load_robot("ur5e");
   const std::vector<JointVector> positions = {ur5e_at(0.0, -1.5, 1.2), ur5e_at(1.5, -1.0, 1.5),
                                               ur5e_at(-0.5, -1.2, 0.9)};
-  const JointSpline motion = time_goals(goals_of(robot, positions));
+  const TimedGoals timed = time_goals(goals_of(robot, positions));
+  const JointSpline& motion = timed.motion;
   EXPECT_EQ(motion.begin(), 0.0);
   std::size_t reached = 0;
   double rest = 0.0;
@@ -76,13 +78,25 @@ TEST(TimedGoals, AreReachedInTurnAtRestAndInsideTheLimits) {
   // In the least time: a limit is used up.
   EXPECT_GT(std::max(use.velocity / 0.8, use.acceleration), 1.0 - 1e-3);
   EXPECT_GT(use.jerk, 1.0 - 1e-3);
+
+  // The message is the same motion, but for its times in nanoseconds.
+  const test::TemporaryFolder folder;
+  const JointSpline sent = load_planned_motion({{folder.write("sent.yaml", timed.message)}}, *robot);
+  ASSERT_EQ(sent.time().size(), motion.time().size());
+  for (std::size_t k = 0; k < sent.time().size(); ++k) {
+    EXPECT_NEAR(sent.time()[k], motion.time()[k], 1e-9);
+    EXPECT_EQ(sent.knots()[k].position, motion.knots()[k].position);
+    EXPECT_EQ(sent.knots()[k].velocity, motion.knots()[k].velocity);
+    EXPECT_EQ(sent.knots()[k].acceleration, motion.knots()[k].acceleration);
+  }
 }
 
 TEST(TimedGoals, KeepTheRobotsAccelerationLimits) {
   RobotModel slow = *load_robot("ur5e");
   for (JointInfo& joint : slow.joints) joint.limits.acceleration = 0.5;
   const auto robot = std::make_shared<const RobotModel>(slow);
-  const JointSpline motion = time_goals(goals_of(robot, {ur5e_at(0.0, -1.5, 1.2), ur5e_at(1.5, -1.0, 1.5)}));
+  const JointSpline motion =
+      time_goals(goals_of(robot, {ur5e_at(0.0, -1.5, 1.2), ur5e_at(1.5, -1.0, 1.5)})).motion;
   const Use use = use_of(motion, *robot, JointVector::Constant(6, 0.5));
   EXPECT_LT(use.acceleration, 1.0 + 1e-6);
   EXPECT_GT(use.acceleration, 1.0 - 1e-3);
@@ -93,7 +107,7 @@ TEST(TimedGoals, KeepTheRobotsAccelerationLimits) {
 
 TEST(TimedGoals, AGoalTwiceInTurnIsARest) {
   const JointVector there = ur5e_at(0.0, -1.5, 1.2);
-  const JointSpline motion = time_goals(goals_of(load_robot("ur5e"), {there, there, there}));
+  const JointSpline motion = time_goals(goals_of(load_robot("ur5e"), {there, there, there})).motion;
   EXPECT_EQ(motion.time(), (std::vector{0.0, 0.5, 1.0}));
   EXPECT_EQ(motion.at(0.7).position, there);
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "armtune/error.hpp"
+#include "tuner/planning/output/ros_trajectory.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune::internal {
@@ -36,15 +37,56 @@ PlanTask move_of(const JointGoals& goals) {
   return task;
 }
 
+/// A motion that grows knot by knot.
+class Motion {
+ public:
+  explicit Motion(const JointVector& start) { rest(0.0, start); }
+
+  double end() const { return time_.back(); }
+  const JointVector& position() const { return knots_.back().position; }
+  /// At rest at q at a time [s].
+  void rest(double time, const JointVector& q) {
+    const JointVector zero = JointVector::Zero(q.size());
+    time_.push_back(time);
+    knots_.push_back({q, zero, zero});
+  }
+  /// A move that begins where this motion ends, up to its goal exactly.
+  void add(const Trajectory& move, const JointVector& goal) {
+    const double begin = end();
+    for (Eigen::Index k = 1; k + 1 < move.position.cols(); ++k) {
+      time_.push_back(begin + move.time[static_cast<std::size_t>(k)]);
+      knots_.push_back({move.position.col(k), move.velocity.col(k), move.acceleration.col(k)});
+    }
+    rest(begin + move.time.back(), goal);
+  }
+  JointSpline spline() const { return {time_, knots_}; }
+  Trajectory trajectory() const {
+    Trajectory motion;
+    motion.time = time_;
+    const auto count = static_cast<Eigen::Index>(knots_.size());
+    for (Eigen::MatrixXd* values : {&motion.position, &motion.velocity, &motion.acceleration})
+      values->resize(position().size(), count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const MotionPoint<JointVector>& knot = knots_[static_cast<std::size_t>(k)];
+      motion.position.col(k) = knot.position;
+      motion.velocity.col(k) = knot.velocity;
+      motion.acceleration.col(k) = knot.acceleration;
+    }
+    return motion;
+  }
+
+ private:
+  std::vector<double> time_;
+  std::vector<MotionPoint<JointVector>> knots_;
+};
+
 }  // namespace
 
-JointSpline time_goals(const JointGoals& goals) {
+TimedGoals time_goals(const JointGoals& goals) {
   PlanTask task = move_of(goals);
-  const JointVector zero = task.start.velocity;
-  std::vector<double> time = {0.0};
-  std::vector<MotionPoint<JointVector>> knots = {{goals.positions.front(), zero, zero}};
+  Motion motion(goals.positions.front());
   for (std::size_t k = 1; k < goals.positions.size(); ++k) {
-    task.start.position = knots.back().position;
+    task.start.position = motion.position();
     task.goal = goals.positions[k];
     if (!(task.goal - task.start.position).isZero(0.0)) {
       const PlannedTrajectory planned = solve_plan(plan_problem(task));
@@ -54,18 +96,15 @@ JointSpline time_goals(const JointGoals& goals) {
             fmt::format("no motion was found from goal {} to goal {} that keeps the limits of the arm and "
                         "its distance from itself and the cell; add a goal between them, or give times",
                         k, k + 1));
-      const Trajectory& move = planned.trajectory;
-      const double begin = time.back();
-      for (Eigen::Index i = 1; i < move.position.cols(); ++i) {
-        time.push_back(begin + move.time[static_cast<std::size_t>(i)]);
-        knots.push_back({move.position.col(i), move.velocity.col(i), move.acceleration.col(i)});
-      }
-      knots.back() = {task.goal, zero, zero};  // the solver meets it to its tolerance
+      motion.add(planned.trajectory, task.goal);
     }
-    time.push_back(time.back() + kRest);
-    knots.push_back({task.goal, zero, zero});
+    motion.rest(motion.end() + kRest, task.goal);
   }
-  return {std::move(time), std::move(knots)};
+  return {
+      motion.spline(),
+      ros_trajectory(*goals.robot, motion.trajectory(), goals.ros2 ? RosVersion::kRos2 : RosVersion::kRos1,
+                     {"trajectory_msgs/JointTrajectory by armtune, through the joint goals of " + goals.file,
+                      "Run it slowly first. docs/joint_trajectory_controller.md states its limits."})};
 }
 
 }  // namespace armtune::internal

@@ -15,6 +15,6 @@ namespace armtune::internal {
 ///   touch
 ///     each other. Like the torque, they are checked at 60 times of each move, not between them.
 /// Throws InputError naming file and goal if a goal breaks these limits, or if no motion is found.
-JointSpline time_goals(const JointGoals& goals);
+TimedGoals time_goals(const JointGoals& goals);
 
 }  // namespace armtune::internal
