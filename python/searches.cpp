@@ -5,6 +5,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "armtune/error.hpp"
+#include "armtune/evaluate.hpp"
 #include "armtune/front.hpp"
 #include "armtune/tune.hpp"
 #include "core/common/utf8.hpp"
@@ -126,6 +127,44 @@ void bind_study(py::module_& module) {
       "rollouts, one for each scenario, and returns a number above zero; less is better.");
 }
 
+void bind_evaluator(py::module_& module) {
+  py::class_<TunePoint>(module, "TunePoint", made_by_armtune(), "One evaluated point of a study.")
+      .def_readonly("x", &TunePoint::x,
+                    "Coordinates, one for each parameter of the study: 0 at the lower bound, 1 at the upper.")
+      .def_readonly("objective", &TunePoint::objective,
+                    "Objective relative to that of the start gains; less is better.")
+      .def_readonly("violation", &TunePoint::violation,
+                    "Sum of the relative constraint violations; 0: feasible.")
+      .def_property_readonly("feasible", [](const TunePoint& self) { return self.violation == 0.0; })
+      .def_readonly(
+          "constraints", &TunePoint::constraints,
+          "By how much each constraint is broken, relative to its limit; 0 or less: it is kept. The "
+          "last one is kept if every scenario completed.");
+  py::class_<Evaluator>(module, "Evaluator",
+                        "Simulates gains of a study as its search does, for an optimiser of your own.")
+      .def(py::init([](const Study& study, const std::string& engine, int workers, double deadline) {
+             const EvaluatorOptions options{engine_of(engine), workers, deadline};
+             const py::gil_scoped_release unlocked;
+             return Evaluator(study, options);
+           }),
+           py::arg("study"), py::kw_only(), py::arg("engine") = "native", py::arg("workers") = 1,
+           py::arg("deadline") = 0.0,
+           "Simulates the start gains, whose objective is 1. engine: 'native' or 'simbody'.")
+      .def_property_readonly("start", &Evaluator::start, "The evaluation of the start gains.")
+      .def(
+          "evaluate",
+          [](Evaluator& self, const std::vector<std::vector<double>>& points, py::object progress) {
+            return watched(std::move(progress),
+                           [&](const Watch& watch) { return self.evaluate(points, watch); });
+          },
+          py::arg("points"), py::kw_only(), py::arg("progress") = py::none(),
+          "Evaluates points, given as a list of lists or an array with one row each. Returns one TunePoint "
+          "each, in order. Not from several threads at once.")
+      .def("gains_at", &Evaluator::gains_at, py::arg("point"), "Gains at a point.")
+      .def_property_readonly("simulated", &Evaluator::simulated,
+                             "Simulated time of all rollouts so far [s].");
+}
+
 }  // namespace
 
 void bind_searches(py::module_& module) {
@@ -180,6 +219,7 @@ void bind_searches(py::module_& module) {
       "Runs a study. The result does not depend on the number of workers. folder: new folder for all files "
       "of the run. analysis: also compute margins, sensitivity, yield and endurance.");
 
+  bind_evaluator(module);
   py::class_<FrontPoint>(module, "FrontPoint", made_by_armtune(), "One point of a front.")
       .def_readonly("gains", &FrontPoint::gains)
       .def_readonly("values", &FrontPoint::values, "Values of the criteria, in their units.");

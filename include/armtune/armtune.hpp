@@ -5,6 +5,7 @@
 #include "armtune/about.hpp"
 #include "armtune/controller.hpp"
 #include "armtune/error.hpp"
+#include "armtune/evaluate.hpp"
 #include "armtune/front.hpp"
 #include "armtune/gains.hpp"
 #include "armtune/identify.hpp"

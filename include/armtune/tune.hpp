@@ -29,6 +29,9 @@ struct TunePoint {
   double objective = 0.0;            ///< relative to the objective of the start gains, which is 1
   double violation = 0.0;            ///< sum of the relative violations of the constraints; 0: feasible
   Engine engine = Engine::kSimbody;  ///< engine that simulated the point
+  /// By how much each constraint is broken, relative to its limit; 0 or less: it is kept. One for each
+  /// constraint of the study, and a last one that is kept if every scenario completed.
+  std::vector<double> constraints = {};
 };
 
 struct Tuned {

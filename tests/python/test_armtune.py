@@ -155,6 +155,27 @@ class Module(unittest.TestCase):
         self.assertEqual(tuned.objectives[0], 1.0, "the start scores 1")
         self.assertEqual(tuned.objective, min(tuned.objectives[tuned.violations == 0]))
 
+    def test_an_evaluator_judges_points_as_the_search_does(self):
+        study = armtune.load_study(self.folder / "study.yaml")
+        tuned = armtune.tune(study, analysis=False)
+        evaluator = armtune.Evaluator(study, engine="simbody", workers=2)
+        self.assertEqual(evaluator.start.objective, 1.0)
+        points = evaluator.evaluate(tuned.points)
+        self.assertEqual([point.objective for point in points], list(tuned.objectives))
+        self.assertEqual([point.violation for point in points], list(tuned.violations))
+        self.assertEqual([point.x for point in points], tuned.points.tolist())
+        best = next(point for point in points if point.feasible and point.objective == tuned.objective)
+        self.assertLessEqual(max(best.constraints), 0.0)
+        self.assertEqual(evaluator.gains_at(best.x).text(), tuned.best.text())
+        with self.assertRaisesRegex(armtune.InputError, "coordinates"):
+            evaluator.evaluate([[0.5]])
+
+        def enough(at):
+            raise KeyError(at.done)
+
+        with self.assertRaises(KeyError):
+            evaluator.evaluate(tuned.points, progress=enough)
+
     def tuned_with(self, **parts):
         description = {
             "parameters": [

@@ -6,6 +6,7 @@
 #include "tuner/interface/kept_inputs.hpp"
 #include "tuner/interface/observing.hpp"
 #include "tuner/interface/rollout_maker.hpp"
+#include "tuner/interface/tune_point.hpp"
 #include "tuner/session/tune_session.hpp"
 
 namespace armtune {
@@ -15,10 +16,7 @@ namespace {
 class Keeping : public Observing<internal::TuneObserver> {
  public:
   using Observing::Observing;
-  void evaluated(const internal::Evaluation& e) override {
-    points.push_back({e.x, e.objective, e.violation,
-                      e.engine == internal::Engine::kNative ? Engine::kNative : Engine::kSimbody});
-  }
+  void evaluated(const internal::Evaluation& e) override { points.push_back(tune_point(e)); }
 
   std::vector<TunePoint> points;
 };

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "armtune/error.hpp"
+#include "armtune/evaluate.hpp"
 #include "armtune/front.hpp"
 #include "armtune/robustness.hpp"
 #include "armtune/tune.hpp"
@@ -66,6 +67,61 @@ TEST(InterfaceOfTune, FindsWhatTheSearchFinds) {
   EXPECT_FALSE(tuned.verdict.checks.empty());
   EXPECT_THAT(works, testing::Contains("start"));
   EXPECT_TRUE(tuned.files.empty());
+}
+
+TEST(InterfaceOfEvaluate, GivesEveryPointWhatTheSearchGivesIt) {
+  const ShortStudy files(internal::test::kShortParameters, internal::test::kShortObjective,
+                         internal::test::kShortConstraints, internal::test::kShortNativeSearch);
+  const Study study = Study::load(files.path());
+  const Tuned tuned = tune(study, brief());
+  for (const Engine engine : {Engine::kNative, Engine::kSimbody}) {
+    std::vector<std::vector<double>> points;
+    std::vector<TunePoint> expected;
+    for (const TunePoint& point : tuned.evaluations) {
+      if (point.engine != engine) continue;
+      points.push_back(point.x);
+      expected.push_back(point);
+    }
+    ASSERT_GE(points.size(), 2U);
+    Evaluator evaluator(study, {engine, 2});
+    EXPECT_EQ(evaluator.start().objective, 1.0);
+    const double before = evaluator.simulated();
+    EXPECT_NEAR(before, 16.0, 1e-9) << "two scenarios of 8 s";
+    const std::vector<TunePoint> again = evaluator.evaluate(points);
+    ASSERT_EQ(again.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(again[i].x, expected[i].x);
+      EXPECT_EQ(again[i].objective, expected[i].objective);
+      EXPECT_EQ(again[i].violation, expected[i].violation);
+      EXPECT_EQ(again[i].constraints, expected[i].constraints);
+    }
+    EXPECT_GT(evaluator.simulated(), before);
+    EXPECT_EQ(evaluator.gains_at(evaluator.start().x).text(), study.start().text());
+  }
+}
+
+TEST(InterfaceOfEvaluate, RefusesWhatIsNoPointAndEndsWhereItIsStopped) {
+  const ShortStudy files;
+  Evaluator evaluator(Study::load(files.path()));
+  const std::vector<double> middle = {0.5, 0.5};
+  EXPECT_THAT(
+      [&] {
+        evaluator.evaluate({middle, {0.5}});
+      },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("1 coordinates; the study")));
+  for (const double outside : {-0.1, 1.1, double(NAN)})
+    EXPECT_THAT(
+        [&] {
+          evaluator.gains_at({0.5, outside});
+        },
+        testing::ThrowsMessage<InputError>(testing::HasSubstr("between 0 and 1")));
+  EXPECT_TRUE(evaluator.evaluate({}).empty());
+  const std::atomic<bool> stop{true};
+  Watch watch;
+  watch.stop = &stop;
+  EXPECT_TRUE(evaluator.evaluate({middle}, watch).empty());
+  Evaluator moved = std::move(evaluator);
+  EXPECT_EQ(moved.evaluate({middle}).size(), 1U);
 }
 
 TEST(InterfaceOfTune, LeavesTheFilesOfARun) {
