@@ -140,16 +140,8 @@ void bind_evaluator(py::module_& module) {
           "constraints", &TunePoint::constraints,
           "By how much each constraint is broken, relative to its limit; 0 or less: it is kept. The "
           "last one is kept if every scenario completed.");
-  py::class_<Evaluator>(module, "Evaluator",
+  py::class_<Evaluator>(module, "Evaluator", made_by_armtune(),
                         "Simulates gains of a study as its search does, for an optimiser of your own.")
-      .def(py::init([](const Study& study, const std::string& engine, int workers, double deadline) {
-             const EvaluatorOptions options{engine_of(engine), workers, deadline};
-             const py::gil_scoped_release unlocked;
-             return Evaluator(study, options);
-           }),
-           py::arg("study"), py::kw_only(), py::arg("engine") = "native", py::arg("workers") = 1,
-           py::arg("deadline") = 0.0,
-           "Simulates the start gains, whose objective is 1. engine: 'native' or 'simbody'.")
       .def_property_readonly("start", &Evaluator::start, "The evaluation of the start gains.")
       .def(
           "evaluate",
@@ -163,6 +155,17 @@ void bind_evaluator(py::module_& module) {
       .def("gains_at", &Evaluator::gains_at, py::arg("point"), "Gains at a point.")
       .def_property_readonly("simulated", &Evaluator::simulated,
                              "Simulated time of all rollouts so far [s].");
+  module.def(
+      "make_evaluator",
+      [](const Study& study, const std::string& engine, int workers, double deadline) {
+        const EvaluatorOptions options{engine_of(engine), workers, deadline};
+        const py::gil_scoped_release unlocked;
+        return Evaluator(study, options);
+      },
+      py::arg("study"), py::kw_only(), py::arg("engine") = "native", py::arg("workers") = 1,
+      py::arg("deadline") = 0.0,
+      "Makes an Evaluator, and simulates the start gains, whose objective is 1. engine: 'native' or "
+      "'simbody'.");
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ class Module(unittest.TestCase):
     def test_an_evaluator_judges_points_as_the_search_does(self):
         study = armtune.load_study(self.folder / "study.yaml")
         tuned = armtune.tune(study, analysis=False)
-        evaluator = armtune.Evaluator(study, engine="simbody", workers=2)
+        evaluator = armtune.make_evaluator(study, engine="simbody", workers=2)
         self.assertEqual(evaluator.start.objective, 1.0)
         points = evaluator.evaluate(tuned.points)
         self.assertEqual([point.objective for point in points], list(tuned.objectives))
