@@ -5,7 +5,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "armtune/error.hpp"
+#include "core/common/file_path.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "tuner/cli/say.hpp"
+#include "tuner/run/run_folder.hpp"
 #ifdef ARMTUNE_SUITESPARSE
 #include "tuner/planning/session/timed_goals.hpp"
 #endif
@@ -56,6 +60,20 @@ std::string make_controller_study(ControllerStudyInputs inputs, const std::strin
   for (const std::string& note : files.notes) say(fmt::format("note: {}\n", note));
   say(fmt::format("wrote {}: {}\n", folder, fmt::join(files.written, ", ")));
   return files.study;
+}
+
+std::string study_beside_run(const ControllerStudyInputs& inputs, RunPlace& place, bool several_ranks) {
+  if (place.folder.empty()) place.folder = default_run_folder(stem(inputs.robot));
+  const std::string beside = absolute_path(place.folder) + "_study";
+  const std::string study = beside + "/study.yaml";
+  if (place.resume) return study;
+  if (several_ranks)
+    throw InputError(
+        "tune: several MPI ranks cannot write a study together; write it first with 'armtune init' and the "
+        "same options, then tune it");
+  refuse_used_folder(place.folder);
+  make_controller_study(inputs, beside);
+  return study;
 }
 
 }  // namespace armtune::internal::cli

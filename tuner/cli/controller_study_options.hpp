@@ -4,6 +4,7 @@
 // controller, and motions.
 
 #include "tuner/controller_study/controller_study.hpp"
+#include "tuner/session/journalled_run.hpp"
 
 namespace CLI {
 class App;
@@ -16,5 +17,10 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
 
 /// Writes the study and prints the assumptions made; see write_controller_study. Returns the study's path.
 std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder);
+
+/// Does this for a run, in a folder beside the run's own: place.folder with _study at its end. place.folder:
+/// set to the default if it is empty. If the run is resumed, its study is there already, and nothing is
+/// written. Throws InputError if there are several MPI ranks, or if the run's folder is in use.
+std::string study_beside_run(const ControllerStudyInputs& inputs, RunPlace& place, bool several_ranks);
 
 }  // namespace armtune::internal::cli

@@ -46,29 +46,12 @@ Study load(const Arguments& args) {
   return study;
 }
 
-/// The study of the user's own files, which is written beside the run's folder unless that is resumed.
-void take_own_files(Arguments& args, RankGroup& team) {
-  if (args.own.robot.empty()) {
-    if (!args.study.empty()) return;
+int run(Arguments& args, RankGroup& team) {
+  if (args.own.robot.empty() && args.study.empty())
     throw InputError(
         "tune: no study is given; give a study file, a bundled study such as ur10_gaze, or your robot's "
         "files with --robot, --controllers and --trajectory");
-  }
-  RunPlace& place = args.settings.place;
-  if (place.folder.empty()) place.folder = default_run_folder(stem(args.own.robot));
-  const std::string beside = absolute_path(place.folder) + "_study";
-  args.study = beside + "/study.yaml";
-  if (place.resume) return;
-  if (team.several())
-    throw InputError(
-        "tune: several MPI ranks cannot write a study together; write it first with 'armtune init' and the "
-        "same options, then tune it");
-  refuse_used_folder(place.folder);
-  make_controller_study(args.own, beside);
-}
-
-int run(Arguments& args, RankGroup& team) {
-  take_own_files(args, team);
+  if (!args.own.robot.empty()) args.study = study_beside_run(args.own, args.settings.place, team.several());
   const Study study = load_inputs(args.settings.place, [&args] { return load(args); });
   TuneSettings settings = args.settings;
   if (settings.place.folder.empty()) settings.place.folder = default_run_folder(study.name);

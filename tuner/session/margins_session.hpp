@@ -1,0 +1,49 @@
+#pragma once
+// The work of the command `armtune margins`. It searches the stability margins of a gain set, and writes them
+// to its folder, if it has one.
+
+#include <string>
+#include <vector>
+
+#include "tuner/robustness/margins.hpp"
+#include "tuner/session/observer.hpp"
+#include "tuner/session/session_context.hpp"
+
+namespace armtune::internal {
+
+struct MarginsSettings {
+  std::string folder;  ///< empty: nothing is written
+  std::vector<Scenario> scenarios;
+  Gains gains;
+  std::string gains_path;  ///< path of the gains file; empty: the gains are from no file
+  MarginOptions options;   ///< its functions are set by the session
+};
+
+struct MarginsOutcome {
+  Ending ending = Ending::kInterrupted;
+  std::vector<Margin> margins;     ///< those that were done
+  std::vector<std::string> files;  ///< names of the files in the folder
+};
+
+class MarginsSession {
+ public:
+  /// The observer must outlive the session.
+  MarginsSession(MarginsSettings settings, SessionContext context, SessionObserver& observer);
+
+  /// Runs the session; may be called once. The checks failed if a loop does not hold at the nominal value of
+  /// a margin. Throws InputError if the folder is not empty, and FailedError if a file cannot be written.
+  /// margins.csv always has the margins that are done.
+  MarginsOutcome run();
+
+ private:
+  void write_margins(const std::vector<Margin>& found) const;
+  void write_results();
+
+  MarginsSettings settings_;
+  SessionContext context_;
+  SessionObserver& observer_;
+  Stopwatch watch_;
+  MarginsOutcome outcome_;
+};
+
+}  // namespace armtune::internal

@@ -1,0 +1,64 @@
+#include "tuner/session/sensitivity_session.hpp"
+
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
+#include "tuner/run/run_file.hpp"
+#include "tuner/run/run_folder.hpp"
+#include "tuner/session/study_files.hpp"
+
+namespace armtune::internal {
+
+SensitivitySession::SensitivitySession(SensitivitySettings settings, SessionContext context,
+                                       SessionObserver& observer)
+    : settings_(std::move(settings)), context_(std::move(context)), observer_(observer) {}
+
+std::string SensitivitySession::gains_path() const {
+  return run_file(settings_.run, "gains.yaml");
+}
+
+std::optional<SensitivityOutcome> SensitivitySession::run(RankGroup& ranks) {
+  const Study& study = settings_.study;
+  if (!ranks.begin(plan_of(study, settings_.deadline), settings_.workers)) return std::nullopt;
+  const Gains best = load_gains(gains_path(), joint_names(*study.scenarios.front().robot));
+  const HashedTable evaluations = read_hashed_table(run_file(settings_.run, "evaluations.csv"));
+  const auto journal = read_evaluations(evaluations.table, study);
+  const FolderLock lock = make_run_folder(settings_.folder);
+
+  CandidateRunner workers(ranks.pool(), study.robust);
+  std::optional<Sensitivity> result;
+  if (const auto start = simulate_points(study, {study.space.start_point()}, workers, context_.stop)) {
+    const Objective objective(study.terms, study.constraints, simulated_scenarios(study),
+                              start->front().results, study.source);
+    result = sensitivity(study, objective, best, journal, workers, context_.stop,
+                         progress_of(observer_, "evaluations"));
+  }
+  observer_.part_is_over();
+  if (!result) return std::move(outcome_);
+  outcome_.sensitivity = std::move(*result);
+  if (!settings_.folder.empty()) write_files(evaluations, workers.count());
+  outcome_.ending = Ending::kPassed;
+  return std::move(outcome_);
+}
+
+void SensitivitySession::write_files(const HashedTable& evaluations, int workers) {
+  const Study& study = settings_.study;
+  const std::string& folder = settings_.folder;
+  make_folder(folder + "/start");
+  write_text_file(folder + "/start/gains.yaml",
+                  gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
+  write_sensitivity(study, outcome_.sensitivity, folder);
+  Provenance p;
+  p.command = context_.invocation.line;
+  p.inputs = {study.source, study.gains, gains_path()};
+  p.streamed = {{evaluations.table.name(), evaluations.hash}};
+  add_inputs(study.scenarios, p.inputs);
+  p.seed = study.solver.seed;
+  p.workers = workers;
+  p.wall_seconds = watch_.seconds();
+  write_provenance(folder, p);
+  outcome_.files = {"sensitivity.csv", "reduced_study.yaml", "run.yaml", "inputs/"};
+}
+
+}  // namespace armtune::internal
