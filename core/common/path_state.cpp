@@ -39,9 +39,12 @@ void refuse_existing(const std::string& path) {
 bool is_missing_or_empty(const std::string& folder) {
   if (!is_there(folder)) return true;
   std::error_code error;
-  const fs::directory_iterator first(folder, error);
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (fs::is_symlink(entry->symlink_status(error)) || !entry->is_directory(error)) return false;
+  }
   if (error) refuse(folder, error);
-  return first == fs::directory_iterator();
+  return true;
 }
 
 }  // namespace armtune::internal

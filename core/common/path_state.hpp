@@ -15,8 +15,9 @@ bool is_there(const std::string& path);
 /// It is for files that are never overwritten.
 void refuse_existing(const std::string& path);
 
-/// True if the folder is missing or empty. Throws InputError with path and reason if that cannot be
-/// determined: it may not be read, too many files are open, or it is not a folder.
+/// True if the folder is missing or holds nothing but empty folders, such as those of a run for which there
+/// was no room. Throws InputError with path and reason if that cannot be determined: a folder may not be read,
+/// too many files are open, or the path is not that of a folder.
 bool is_missing_or_empty(const std::string& folder);
 
 }  // namespace armtune::internal

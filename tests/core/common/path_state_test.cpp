@@ -53,6 +53,14 @@ TEST_F(PathState, AFolderIsEmptyOnlyIfItCanBeRead) {
   EXPECT_TRUE(is_missing_or_empty(inner));
   fs::create_directories(inner);
   EXPECT_TRUE(is_missing_or_empty(inner));
+  fs::create_directories(inner + "/a/b");
+  fs::create_directories(inner + "/c");
+  EXPECT_TRUE(is_missing_or_empty(inner)) << "a run for which there was no room leaves empty folders";
+  fs::create_symlink(folder_, inner + "/a/b/link");
+  EXPECT_FALSE(is_missing_or_empty(inner));
+  fs::remove(inner + "/a/b/link");
+  std::ofstream(inner + "/a/b/file") << "text";
+  EXPECT_FALSE(is_missing_or_empty(inner));
   std::ofstream(inner + "/file") << "text";
   EXPECT_FALSE(is_missing_or_empty(inner));
   EXPECT_THAT(refusal([&] { is_missing_or_empty(inner + "/file"); }), HasSubstr(inner + "/file"));
