@@ -140,8 +140,9 @@ void bind_evaluator(py::module_& module) {
           "constraints", &TunePoint::constraints,
           "By how much each constraint is broken, relative to its limit; 0 or less: it is kept. The "
           "last one is kept if every scenario completed.");
-  py::class_<Evaluator>(module, "Evaluator", made_by_armtune(),
-                        "Simulates gains of a study as its search does, for an optimiser of your own.")
+  py::class_<Evaluator, std::shared_ptr<Evaluator>>(
+      module, "Evaluator", made_by_armtune(),
+      "Simulates gains of a study as its search does, for an optimiser of your own.")
       .def_property_readonly("start", &Evaluator::start, "The evaluation of the start gains.")
       .def(
           "evaluate",
@@ -157,15 +158,24 @@ void bind_evaluator(py::module_& module) {
                              "Simulated time of all rollouts so far [s].");
   module.def(
       "make_evaluator",
-      [](const Study& study, const std::string& engine, int workers, double deadline) {
-        const EvaluatorOptions options{engine_of(engine), workers, deadline};
-        const py::gil_scoped_release unlocked;
-        return Evaluator(study, options);
+      [](const Study& study, const std::optional<std::string>& engine, int workers, double deadline,
+         py::object progress) {
+        EvaluatorOptions options{std::nullopt, workers, deadline};
+        if (engine) options.engine = engine_of(*engine);
+        const auto make = [&, given = study](const Watch& watch) -> std::shared_ptr<Evaluator> {
+          try {
+            return std::make_shared<Evaluator>(given, options, watch);
+          } catch (const FailedError&) {
+            if (*watch.stop) return nullptr;  // Interrupted, with None
+            throw;
+          }
+        };
+        return watched(std::move(progress), make);
       },
-      py::arg("study"), py::kw_only(), py::arg("engine") = "native", py::arg("workers") = 1,
-      py::arg("deadline") = 0.0,
+      py::arg("study"), py::kw_only(), py::arg("engine") = py::none(), py::arg("workers") = 1,
+      py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
       "Makes an Evaluator, and simulates the start gains, whose objective is 1. engine: 'native' or "
-      "'simbody'.");
+      "'simbody' for all evaluations; None: the engine in which the study searches.");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ bool is_missing_or_empty(const std::string& folder) {
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (fs::is_symlink(entry->symlink_status(error)) || !entry->is_directory(error)) return false;
+    if (entry->symlink_status(error).type() != fs::file_type::directory && !error) return false;
   }
   if (error) refuse(folder, error);
   return true;

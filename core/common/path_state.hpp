@@ -16,8 +16,8 @@ bool is_there(const std::string& path);
 void refuse_existing(const std::string& path);
 
 /// True if the folder is missing or holds nothing but empty folders, such as those of a run for which there
-/// was no room. Throws InputError with path and reason if that cannot be determined: a folder may not be read,
-/// too many files are open, or the path is not that of a folder.
+/// was no room. Throws InputError with path and reason if that cannot be determined: a folder may not be
+/// read, too many files are open, or the path is not that of a folder.
 bool is_missing_or_empty(const std::string& folder);
 
 }  // namespace armtune::internal

@@ -20,7 +20,7 @@ study = armtune.make_study(
     scenarios=[scenario],
     gains=armtune.load_gains("published", scenario),
 )
-evaluator = armtune.make_evaluator(study)
+evaluator = armtune.make_evaluator(study, engine="native")
 
 optuna.logging.set_verbosity(optuna.logging.WARNING)
 search = optuna.create_study(sampler=optuna.samplers.TPESampler(seed=1, constant_liar=True))

@@ -3,6 +3,7 @@
 // your own can take the place of the search.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "armtune/progress.hpp"
@@ -12,17 +13,20 @@
 namespace armtune {
 
 struct EvaluatorOptions {
-  Engine engine = Engine::kNative;
+  /// Engine of all evaluations; empty: the one in which the study searches. The best gains of a search in the
+  /// native engine are judged by Simbody.
+  std::optional<Engine> engine = std::nullopt;
   int workers = 1;        ///< threads; results do not depend on it
   double deadline = 0.0;  ///< wall-clock limit of a rollout [s]; 0: 20 s plus twice its simulated duration
 };
 
-/// Evaluates points of a study. May be moved, but not copied. Use it from one thread at a time.
+/// Evaluates points of a study. May be moved, but not copied; one that was moved from may only be destroyed
+/// or assigned to. Use it from one thread at a time.
 class Evaluator {
  public:
   /// Simulates the start gains, whose objective is 1. Throws InputError if they cannot serve as a reference,
-  /// for example because a scenario does not complete.
-  explicit Evaluator(const Study& study, const EvaluatorOptions& options = {});
+  /// for example because a scenario does not complete, and FailedError if it was stopped.
+  explicit Evaluator(const Study& study, const EvaluatorOptions& options = {}, const Watch& watch = {});
   Evaluator(Evaluator&& other) noexcept;
   Evaluator& operator=(Evaluator&& other) noexcept;
   ~Evaluator();

@@ -373,7 +373,14 @@ def tune(
     deadline: float = 0.0,
     progress: _Watch = None,
 ) -> Tuned: ...
-def make_evaluator(study: Study, *, engine: str = "native", workers: int = 1, deadline: float = 0.0) -> Evaluator: ...
+def make_evaluator(
+    study: Study,
+    *,
+    engine: Literal["native", "simbody"] | None = None,
+    workers: int = 1,
+    deadline: float = 0.0,
+    progress: Callable[[Progress], None] | None = None,
+) -> Evaluator: ...
 def front(
     study: Study,
     criteria: Sequence[str],

@@ -22,7 +22,7 @@ namespace armtune::internal {
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);
 
-/// Returns the numbers of p, i, d, the clamps and the feed-forward of each joint in the file, with their
+/// Returns the places in the file of p, i, d, the clamps and the feed-forward of each joint, with their
 /// values in `gains`.
 std::vector<PlacedGain> placed_trajectory_gains(const RosController& controller, const std::string& file,
                                                 const Gains& gains, const std::vector<std::string>& joints);

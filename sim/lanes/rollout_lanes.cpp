@@ -107,7 +107,7 @@ void RolloutLanes::start(int lane, LaneJob job) {
       lane_kind(own, kind_.stepper, kind_.most_obstacles, *law) != kind_) {
     throw InputError(own.name +
                      ": the joints, task_mask, control period, obstacles or controller differ from those of "
-                     "the other lanes; simulate this scenario alone");
+                     "the scenarios that are simulated together with it; simulate this scenario alone");
   }
   auto& place = lanes_[static_cast<std::size_t>(lane)];
   if (place) throw InputError("the lane for " + own.name + " is busy");

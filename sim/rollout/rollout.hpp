@@ -21,8 +21,9 @@ class Rollout {
 
   /// Simulates the scenario from its start with these gains (valid for its robot). Nothing carries over from
   /// an earlier run. Divergence is a status, not an exception.
-  /// limits: metrics that only worsen, and the values at which they end the rollout. Without limits it runs
-  /// to the end. Limits change nothing in a rollout before it ends.
+  /// limits: metrics that can only become worse during a rollout, such as a maximum, and the values at which
+  /// they end the rollout. Without limits it runs to the end. Limits change nothing in a rollout before it
+  /// ends.
   RolloutResult run(const Gains& gains, const Observer& observer = {}, const EndLimits& limits = {});
 
   const Scenario& scenario() const { return prepared_->scenario; }

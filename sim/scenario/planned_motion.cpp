@@ -123,6 +123,52 @@ void make_smooth(MotionPoints& motion) {
   motion.points = cubic_spline(motion.time, positions);
 }
 
+JointSpline motion_of(const PlannedFile& file, MotionPoints motion, const RobotModel& robot) {
+  const bool message = is_trajectory_message(file.table.path);
+  const MotionChecks checks(robot, motion, hint_for_degrees(message));
+  checks.at_points();
+  if (file.as_ros || message || motion.given == PointsGive::kVelocities) {
+    JointSpline joined(motion.time, motion.points, motion.given);
+    checks.between_points(joined);
+    return joined;
+  }
+  if (motion.given == PointsGive::kPositions) {
+    make_smooth(motion);
+    checks.between_knots();
+  } else {
+    checks.steps();
+  }
+  return {std::move(motion.time), std::move(motion.points)};
+}
+
+std::vector<JointVector> goals_of(const PlannedFile& file, const MotionPoints& points,
+                                  const RobotModel& robot) {
+  const std::size_t count = points.points.size();
+  if (count < 2)
+    throw InputError(
+        InputPlace{points.file},
+        "there is only one joint goal; give at least two, the first of which is the arm's start position");
+  if (count > kMostGoals)
+    throw InputError(
+        InputPlace{points.file},
+        fmt::format("{} joint goals without times, of which a planned motion can have {}, with a "
+                    "stop at each; if they are points of one motion, give their times",
+                    count, kMostGoals));
+  MotionChecks(robot, points, hint_for_degrees(is_trajectory_message(file.table.path))).at_points();
+  std::vector<JointVector> goals;
+  goals.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const MotionPoint<JointVector>& point = points.points[k];
+    if (!point.velocity.isZero(0.0) || !point.acceleration.isZero(0.0))
+      throw InputError(points.where(k, "time_from_start"),
+                       "the points have velocities or accelerations, but no times; give each point its time, "
+                       "or leave the velocities and accelerations out");
+    // A limit that was rounded may be passed by its last digit.
+    goals.emplace_back(point.position.cwiseMax(robot.lower_limits()).cwiseMin(robot.upper_limits()));
+  }
+  return goals;
+}
+
 }  // namespace
 
 PlannedFile read_planned_node(const yaml::Node& node) {
@@ -141,47 +187,19 @@ PlannedFile read_planned_node(const yaml::Node& node) {
 }
 
 JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot) {
-  const bool message = is_trajectory_message(file.table.path);
-  MotionPoints motion = read_points(file, robot);
-  if (motion.time.empty())
-    throw InputError(InputPlace{motion.file},
-                     message ? "no point has a time_from_start above 0; give each point its time"
-                             : "no column 'time'; give the time of each row in seconds");
-  const MotionChecks checks(robot, motion, hint_for_degrees(message));
-  checks.at_points();
-  if (file.as_ros || message || motion.given == PointsGive::kVelocities) {
-    JointSpline joined(motion.time, motion.points, motion.given);
-    checks.between_points(joined);
-    return joined;
-  }
-  if (motion.given == PointsGive::kPositions) {
-    make_smooth(motion);
-    checks.between_knots();
-  } else {
-    checks.steps();
-  }
-  return {std::move(motion.time), std::move(motion.points)};
+  MotionPoints points = read_points(file, robot);
+  if (points.time.empty())
+    throw InputError(InputPlace{points.file},
+                     is_trajectory_message(file.table.path)
+                         ? "no point has a time_from_start above 0; give each point its time"
+                         : "no column 'time'; give the time of each row in seconds");
+  return motion_of(file, std::move(points), robot);
 }
 
-std::optional<std::vector<JointVector>> load_joint_goals(const PlannedFile& file, const RobotModel& robot) {
-  const MotionPoints motion = read_points(file, robot);
-  if (!motion.time.empty()) return std::nullopt;
-  if (motion.points.size() < 2)
-    throw InputError(
-        InputPlace{motion.file},
-        "there is only one joint goal; give at least two, the first of which is the arm's start position");
-  MotionChecks(robot, motion, hint_for_degrees(is_trajectory_message(file.table.path))).at_points();
-  std::vector<JointVector> goals;
-  goals.reserve(motion.points.size());
-  for (std::size_t k = 0; k < motion.points.size(); ++k) {
-    const MotionPoint<JointVector>& point = motion.points[k];
-    if (!point.velocity.isZero(0.0) || !point.acceleration.isZero(0.0))
-      throw InputError(motion.where(k, "time_from_start"),
-                       "the points have velocities or accelerations, but no times; give each point its time, "
-                       "or leave the velocities and accelerations out");
-    goals.push_back(point.position);
-  }
-  return goals;
+MotionOrGoals load_motion_or_goals(const PlannedFile& file, const RobotModel& robot) {
+  MotionPoints points = read_points(file, robot);
+  if (points.time.empty()) return {std::nullopt, goals_of(file, points, robot)};
+  return {motion_of(file, std::move(points), robot), {}};
 }
 
 }  // namespace armtune::internal

@@ -38,11 +38,19 @@ PlannedFile read_planned_node(const yaml::Node& node);
 /// not match the accelerations of this row and the row before it.
 JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot);
 
-/// Reads joint goals, which are positions without times, in the order of the robot's joints [rad, m]. A CSV
-/// file with goals has a column with the positions of each joint, and no other columns. A message has goals
-/// if time_from_start is missing or 0 in all of its points. Returns nothing if the file has times. Throws
-/// InputError with file and line if a number is missing, there are fewer than two goals, or a position is
-/// outside the joint's limits.
-std::optional<std::vector<JointVector>> load_joint_goals(const PlannedFile& file, const RobotModel& robot);
+/// What a file gives: a motion, or joint goals, which are positions without times.
+struct MotionOrGoals {
+  std::optional<JointSpline> motion;
+  std::vector<JointVector> goals;  ///< n each, in the order of the robot's joints [rad, m]; empty: the motion
+};
+
+/// The most goals that a file may give.
+inline constexpr std::size_t kMostGoals = 100;
+
+/// Reads a planned motion, as load_planned_motion does, or joint goals. A CSV file with goals has a column
+/// with the positions of each joint, and no other columns. A message has goals if time_from_start is missing
+/// or 0 in all of its points. Throws InputError with file and line also if there are fewer than two goals or
+/// more than kMostGoals.
+MotionOrGoals load_motion_or_goals(const PlannedFile& file, const RobotModel& robot);
 
 }  // namespace armtune::internal

@@ -114,8 +114,8 @@ struct Scenario {
 Scenario load_scenario(const std::string& name_or_path);
 
 /// Returns the gains that a rollout of the scenario uses. The gains that scale the feedback loop are
-/// multiplied by loop_gain. A missing joint_space_goal is replaced by goal_position. If that is missing too,
-/// it is replaced by start_position if the scenario has a planned motion; otherwise throws InputError.
+/// multiplied by loop_gain. If joint_space_goal is missing, goal_position replaces it. If that is missing
+/// too, start_position does in a scenario with a planned motion; in others, InputError is thrown.
 Gains with_goal(Gains gains, const Scenario& scenario);
 
 /// Returns the model of the simulated arm: the robot's model with the factors of `plant` applied, then

@@ -21,8 +21,8 @@ Solid read_solid(yaml::MapReader& map);
 /// may be {radius, from: [x, y, z], to: [x, y, z]} instead, between two points.
 PlacedSolid read_placed_solid(yaml::MapReader& map);
 
-/// Reads rpy_deg: [roll, pitch, yaw], rotations about the fixed x, y and z axes in this order [deg]. Returns
-/// the identity without the key.
+/// Reads rpy_deg: [roll, pitch, yaw], rotations about the fixed x, y and z axes in this order [deg]. If
+/// the key is missing, returns the identity.
 Mat3 read_turn(yaml::MapReader& map);
 
 }  // namespace armtune::internal

@@ -13,9 +13,10 @@ ToolGoal tool_goal_at(const Scenario& scenario, double time);
 
 /// Returns the joint positions (n) for the beginning of the task. The tool is on the path at
 /// scenario.start_time and points at the target that is active then, or has the desired orientation. Among
-/// such positions, this returns the one from which the arm follows the task best (path_walk.hpp), that is,
-/// with the largest minimum of manipulability. Positions from which the arm comes close to a joint limit are
-/// rated lower. Throws InputError naming the place of the tool if there are no such positions.
+/// such positions, this returns the one from which the arm follows the task best (path_walk.hpp): the one
+/// whose smallest manipulability along the task is largest. Positions from which the arm comes close to a
+/// joint limit are rated lower. Throws InputError naming the place of the tool if there are no such
+/// positions.
 JointVector best_start_of_task(const Scenario& scenario);
 
 /// Returns joint positions (n) in which a simulation begins if none are given. Each joint is moved from

@@ -8,10 +8,19 @@
 #include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/say.hpp"
 #include "tuner/run/run_folder.hpp"
 #ifdef ARMTUNE_SUITESPARSE
 #include "tuner/planning/session/timed_goals.hpp"
+#endif
+
+// Without CHOLMOD there is no planner.
+#ifdef ARMTUNE_SUITESPARSE
+#define ARMTUNE_WITHOUT_TIMES ". Through joint positions without times, a motion is planned"
+#else
+#define ARMTUNE_WITHOUT_TIMES ""
 #endif
 
 namespace armtune::internal::cli {
@@ -29,8 +38,7 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
           .add_option(
               "--trajectory", inputs.trajectories,
               "one or more motions for which the gains are tuned: CSV with times and joint positions, "
-              "or a trajectory_msgs/JointTrajectory as YAML. Through joint positions without times, a "
-              "motion is planned")
+              "or a trajectory_msgs/JointTrajectory as YAML" ARMTUNE_WITHOUT_TIMES)
           ->expected(1, -1);
   CLI::Option* node = command.add_option(
       "--node", inputs.node, "name of the controller to tune, if the file of --controllers has several");
@@ -54,26 +62,35 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
 
 std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder) {
 #ifdef ARMTUNE_SUITESPARSE
-  inputs.timing = time_goals;
+  ProgressLine line;
+  inputs.timing = [&line](const JointGoals& goals) {
+    auto timed = time_goals(goals, stop_requested(), [&](std::size_t done, std::size_t all) {
+      line.show(fmt::format("planning the motion of {}: {} of {} moves", goals.file, done, all));
+    });
+    line.clear();
+    return timed;
+  };
 #endif
-  const ControllerStudyFiles files = write_controller_study(inputs, folder);
-  for (const std::string& note : files.notes) say(fmt::format("note: {}\n", note));
-  say(fmt::format("wrote {}: {}\n", folder, fmt::join(files.written, ", ")));
-  return files.study;
+  const auto files = write_controller_study(inputs, folder);
+  if (!files) {
+    fmt::print(stderr, "interrupted while a motion was planned; nothing was written\n");
+    return {};
+  }
+  for (const std::string& note : files->notes) say(fmt::format("note: {}\n", note));
+  say(fmt::format("wrote {}: {}\n", folder, fmt::join(files->written, ", ")));
+  return files->study;
 }
 
 std::string study_beside_run(const ControllerStudyInputs& inputs, RunPlace& place, bool several_ranks) {
   if (place.folder.empty()) place.folder = default_run_folder(stem(inputs.robot));
   const std::string beside = absolute_path(place.folder) + "_study";
-  const std::string study = beside + "/study.yaml";
-  if (place.resume) return study;
+  if (place.resume) return beside + "/study.yaml";
   if (several_ranks)
     throw InputError(
         "tune: several MPI ranks cannot write a study together; write it first with 'armtune init' and the "
         "same options, then tune it");
   refuse_used_folder(place.folder);
-  make_controller_study(inputs, beside);
-  return study;
+  return make_controller_study(inputs, beside);
 }
 
 }  // namespace armtune::internal::cli

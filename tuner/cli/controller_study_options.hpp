@@ -15,7 +15,8 @@ namespace armtune::internal::cli {
 /// Adds the options. required: true if all three must be given; otherwise all three or none must be given.
 void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inputs, bool required);
 
-/// Writes the study and prints the assumptions made; see write_controller_study. Returns the study's path.
+/// Writes the study and prints the assumptions made; see write_controller_study. Returns the study's path;
+/// empty if it was interrupted.
 std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder);
 
 /// Does this for a run, in a folder beside the run's own: place.folder with _study at its end. place.folder:

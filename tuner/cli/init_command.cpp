@@ -14,7 +14,7 @@
 
 namespace armtune::internal::cli {
 
-void add_init_command(CLI::App& app, int&) {
+void add_init_command(CLI::App& app, int& exit_code) {
   auto inputs = std::make_shared<ControllerStudyInputs>();
   auto folder = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
@@ -29,8 +29,12 @@ void add_init_command(CLI::App& app, int&) {
       "Example:\n"
       "  armtune init --robot ur5e --controllers ros2_controllers.yaml --trajectory moves.csv --out mine\n"
       "  armtune tune mine/study.yaml --out runs/mine");
-  command->callback([inputs, folder] {
+  command->callback([inputs, folder, &exit_code] {
     const std::string study = make_controller_study(*inputs, *folder);
+    if (study.empty()) {
+      exit_code = kInterrupted;
+      return;
+    }
     say(fmt::format("next: {} tune {}\n", program_name(), shell_word(study)));
   });
 }

@@ -27,8 +27,9 @@ CLI::Validator names_shown(const List& list, NameOf name_of) {
 
 CLI::Option* add_stepper_option(CLI::App& command, std::string& stepper) {
   return command
-      .add_option("--stepper", stepper,
-                  "numerical integration method of the simulation; reference: with controlled error, slow")
+      .add_option(
+          "--stepper", stepper,
+          "numerical integration method of the simulation; 'reference' controls its error and is slow")
       ->check(names_shown(kSteppers, [](Stepper one) { return name(one); }))
       ->capture_default_str();
 }

@@ -42,9 +42,9 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
       "\nwrote {0}: {1}task.yaml (a circle with a radius of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"
       "and {4:.2g} of its effort limits{5}.\n"
-      "In armtune's own dynamics the arm keeps its limits for 30 minutes. Nearly all of 60 random arms\n"
-      "keep their position and velocity limits in one run of the task, and their torques saturate in\n"
-      "at most 1 % of the control periods.\n"
+      "In the native engine, which is armtune's own dynamics, it keeps its limits for 30 minutes. Nearly\n"
+      "all of 60 random arms keep their position and velocity limits there in one run of the task, and\n"
+      "their torques saturate in at most 1 % of the control periods.\n"
       "next: armtune tune {0}/study.yaml\n",
       folder, found.robot_yaml.empty() ? "" : "robot.yaml (rotor inertia estimated), ",
       found.task.scenario.path.terms[0].cosine.norm(), found.metrics[Metric::kJointVelocityMaxRatio],

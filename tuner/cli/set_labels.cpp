@@ -55,10 +55,10 @@ void check_labels(const std::vector<std::string>& labels, const std::vector<std:
     const std::string name = name_of(sets[i]);
     check_result_name(name, sets[i]);
     if (labels[i].size() <= kLongestName) continue;
-    throw InputError(
-        fmt::format("{}: another gain set has the same name. With '{}' added, this name is too long for a "
-                    "file; rename the gain set to a name of at most {} bytes",
-                    sets[i], labels[i].substr(name.size()), kLongestName - (labels[i].size() - name.size())));
+    throw InputError(fmt::format(
+        "{}: another gain set has the same name, so '{}' is added to tell them apart. The name is "
+        "then too long for a file; rename the gain set to a name of at most {} bytes",
+        sets[i], labels[i].substr(name.size()), kLongestName - (labels[i].size() - name.size())));
   }
 }
 

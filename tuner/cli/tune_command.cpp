@@ -51,7 +51,10 @@ int run(Arguments& args, RankGroup& team) {
     throw InputError(
         "tune: no study is given; give a study file, a bundled study such as ur10_gaze, or your robot's "
         "files with --robot, --controllers and --trajectory");
-  if (!args.own.robot.empty()) args.study = study_beside_run(args.own, args.settings.place, team.several());
+  if (!args.own.robot.empty()) {
+    args.study = study_beside_run(args.own, args.settings.place, team.several());
+    if (args.study.empty()) return kInterrupted;
+  }
   const Study study = load_inputs(args.settings.place, [&args] { return load(args); });
   TuneSettings settings = args.settings;
   if (settings.place.folder.empty()) settings.place.folder = default_run_folder(study.name);

@@ -182,7 +182,8 @@ bool is_there_already(const std::vector<std::pair<std::string, std::string>>& te
 
 }  // namespace
 
-ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs, const std::string& folder) {
+std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudyInputs& inputs,
+                                                           const std::string& folder) {
   const Arm arm = arm_of(inputs.robot);
   const ControllerInFile from = read_controller(inputs.controllers, inputs.node, joint_names(*arm.model));
   const std::string& controller = from.controller.name;
@@ -192,8 +193,9 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
     throw InputError(
         InputPlace{inputs.controllers},
         "the file has no update_rate of the controller manager; give the control rate with --rate HZ");
-  const std::vector<StudyMotion> moves =
-      study_motions(inputs, {"", arm.model, arm.clearance, {}, from.controller.ros2});
+  const auto read = study_motions(inputs, {"", arm.model, arm.clearance, {}, from.controller.ros2});
+  if (!read) return std::nullopt;
+  const std::vector<StudyMotion>& moves = *read;
   const JointSpline& first = moves.front().motion;
   const JointVector start = first.at(first.begin()).position;
   std::vector<std::string> undamped;

@@ -3,6 +3,8 @@
 // already has: a model of the arm, the ROS parameter file of its controller, and motions for it to follow.
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,8 @@ struct TimedGoals {
   JointSpline motion;   ///< its acceleration is linear between knots
   std::string message;  ///< the same motion as a trajectory_msgs/JointTrajectory in YAML
 };
-using GoalTiming = std::function<TimedGoals(const JointGoals&)>;
+/// Returns nothing if it was stopped.
+using GoalTiming = std::function<std::optional<TimedGoals>(const JointGoals&)>;
 
 /// Files of the user. Relative paths begin at the current folder.
 struct ControllerStudyInputs {
@@ -50,6 +53,8 @@ struct ControllerStudyFiles {
 /// inertia, robot.yaml with an estimate. If the folder already holds exactly these files, they are kept.
 /// Reads all inputs before it writes anything. Throws InputError with the reason if the study cannot be made,
 /// if tuned gains could later not be written into the parameter file, or if the folder holds anything else.
-ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs, const std::string& folder);
+/// Returns nothing, and writes nothing, if the planning of a motion was stopped.
+std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudyInputs& inputs,
+                                                           const std::string& folder);
 
 }  // namespace armtune::internal

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "core/common/file_name.hpp"
@@ -17,22 +18,13 @@
 namespace armtune::internal {
 namespace {
 
-constexpr const char* kMotion = "_motion";  // behind the scenario's name: a motion that was planned
+constexpr std::string_view kMotion = "_motion";  // behind the scenario's name: a motion that was planned
 
-/// One for each file, called as that, with a number where that is taken.
-std::vector<std::string> names_of(const std::vector<std::string>& files) {
-  std::vector<std::string> names;
-  std::set<std::string> taken = {"study", "robot"};
-  for (const std::string& file : files) {
-    const std::string stem = std::filesystem::path(file).stem().string();
-    std::string name = stem;
-    for (int number = 2; taken.count(name) + taken.count(name + kMotion) > 0; ++number)
-      name = fmt::format("{}_{}", stem, number);
-    check_result_name(name + kMotion, file);
-    taken.insert({name, name + kMotion});
-    names.push_back(name);
-  }
-  return names;
+/// A name that is not taken yet: with a number behind it if it is.
+std::string free_name(const std::string& stem, std::set<std::string>& taken) {
+  std::string name = stem;
+  for (int number = 2; !taken.insert(name).second; ++number) name = fmt::format("{}_{}", stem, number);
+  return name;
 }
 
 /// Whether a motion goes along straight lines, so that its velocity jumps at points.
@@ -50,24 +42,34 @@ bool is_straight(const JointSpline& motion) {
 
 }  // namespace
 
-std::vector<StudyMotion> study_motions(const ControllerStudyInputs& inputs, JointGoals arm) {
-  const std::vector<std::string> names = names_of(inputs.trajectories);
+std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInputs& inputs, JointGoals arm) {
   std::vector<StudyMotion> motions;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string& path = inputs.trajectories[i];
+  std::set<std::string> taken = {"study", "robot"};
+  for (const std::string& path : inputs.trajectories) {
+    const std::string name = free_name(std::filesystem::path(path).stem().string(), taken);
+    check_result_name(name, path);
     PlannedFile file{{path}, true};
     if (inputs.degrees && !is_trajectory_message(path)) file.table.units.angle = std::numbers::pi / 180.0;
-    std::optional<std::vector<JointVector>> goals;
-    if (inputs.timing) goals = load_joint_goals(file, *arm.robot);
-    if (!goals) {
-      motions.push_back({path, names[i], load_planned_motion(file, *arm.robot), absolute_path(path), ""});
+    if (!inputs.timing) {
+      motions.push_back({path, name, load_planned_motion(file, *arm.robot), absolute_path(path), ""});
       continue;
     }
+    MotionOrGoals given = load_motion_or_goals(file, *arm.robot);
+    if (given.motion) {
+      motions.push_back({path, name, std::move(*given.motion), absolute_path(path), ""});
+      continue;
+    }
+    check_result_name(name, path, kLongestName - kMotion.size());
     arm.file = path;
-    arm.positions = std::move(*goals);
-    TimedGoals timed = inputs.timing(arm);
-    motions.push_back(
-        {path, names[i], std::move(timed.motion), names[i] + kMotion + ".yaml", std::move(timed.message)});
+    arm.positions = std::move(given.goals);
+    std::optional<TimedGoals> timed = inputs.timing(arm);
+    if (!timed) return std::nullopt;
+    motions.push_back({path, name, std::move(timed->motion), "", std::move(timed->message)});
+  }
+  // The scenarios keep their names.
+  for (StudyMotion& motion : motions) {
+    if (!motion.message.empty())
+      motion.reference = free_name(motion.name + std::string(kMotion), taken) + ".yaml";
   }
   return motions;
 }
@@ -76,9 +78,9 @@ void add_notes(const StudyMotion& move, std::vector<std::string>& notes) {
   if (!move.message.empty())
     notes.push_back(fmt::format(
         "{} has joint goals but no times. The motion through them was planned, takes {:.1f} s and stops at "
-        "every goal: {} has it for the robot",
+        "every goal. {} has it for the robot, which must stand at the first goal when it begins",
         move.file, move.motion.end(), move.reference));
-  if (is_straight(move.motion))
+  if (move.message.empty() && is_straight(move.motion))
     notes.push_back(fmt::format(
         "{} has positions but no velocities. As in ROS, straight lines then join the points, and the desired "
         "velocity jumps at every point. A file that also has velocities gives smaller tracking errors",

@@ -2,7 +2,7 @@
 // The motions of a controller study: read from the user's files, or planned through joint goals if a file has
 // no times.
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +20,8 @@ struct StudyMotion {
 };
 
 /// Reads a motion from each file of inputs.trajectories, or plans it. arm: without file and positions. Throws
-/// InputError.
-std::vector<StudyMotion> study_motions(const ControllerStudyInputs& inputs, JointGoals arm);
+/// InputError. Returns nothing if planning was stopped.
+std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInputs& inputs, JointGoals arm);
 
 /// Adds notes on what is assumed of a motion, one sentence each.
 void add_notes(const StudyMotion& move, std::vector<std::string>& notes);

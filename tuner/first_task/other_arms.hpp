@@ -9,8 +9,8 @@ namespace armtune::internal {
 
 inline constexpr int kOtherArms = 60;
 
-/// Returns how many of the kOtherArms random arms may break a limit. In proportion, these are half as many as
-/// the final checks of a tuning allow, because a search brings the arm closer to its limits.
+/// Returns how many of the kOtherArms random arms may break a limit. The share is half of what the
+/// final checks of a tuning allow, because a search then brings the arm closer to its limits.
 int most_lost_arms();
 
 /// True if all but most_lost_arms() of kOtherArms random arms keep their limits in the scenario. Torque may

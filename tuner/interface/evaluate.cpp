@@ -16,7 +16,7 @@ namespace armtune {
 struct Evaluator::Inside {
   Inside(const Study& given, const EvaluatorOptions& options)
       : study(given),
-        engine(options.engine == Engine::kNative ? internal::Engine::kNative : internal::Engine::kSimbody),
+        engine(options.engine ? internal_of(*options.engine) : given.inside().engine),
         workers(std::make_unique<internal::RolloutPool>(internal::plan_of(given.inside(), options.deadline),
                                                         options.workers),
                 given.inside().robust) {}
@@ -32,6 +32,19 @@ struct Evaluator::Inside {
     }
   }
 
+  std::optional<std::vector<internal::Evaluation>> simulate(const std::vector<std::vector<double>>& points,
+                                                            const std::vector<internal::EndLimits>& limits,
+                                                            const Watch& watch) {
+    const std::atomic<bool> never{false};
+    long done = 0;
+    return internal::simulate_points(
+        study.inside(), points, workers, watch.stop != nullptr ? *watch.stop : never, {engine, limits},
+        [&](std::size_t, const internal::Evaluation&) {
+          if (watch.progress)
+            watch.progress({"evaluations", ++done, static_cast<long>(points.size()), NAN, {}});
+        });
+  }
+
   Study study;
   internal::Engine engine;
   internal::CandidateRunner workers;
@@ -39,14 +52,13 @@ struct Evaluator::Inside {
   TunePoint start;
 };
 
-Evaluator::Evaluator(const Study& study, const EvaluatorOptions& options) {
+Evaluator::Evaluator(const Study& study, const EvaluatorOptions& options, const Watch& watch) {
   require_workers(options.workers);
   inside_ = std::make_unique<Inside>(study, options);
-  const internal::Study& inside = study.inside();
-  const std::atomic<bool> never{false};
-  auto reference = internal::simulate_points(inside, {inside.space.start_point()}, inside_->workers, never,
-                                             {inside_->engine, {}});
-  internal::Evaluation& start = reference.value().front();
+  const internal::Study& inside = inside_->study.inside();
+  auto reference = inside_->simulate({inside.space.start_point()}, {}, watch);
+  if (!reference) throw FailedError("the evaluation of the start gains was stopped");
+  internal::Evaluation& start = reference->front();
   inside_->objective.emplace(inside.terms, inside.constraints, internal::simulated_scenarios(inside),
                              start.results, internal::where(inside), inside.own_objective);
   inside_->objective->judge(start);
@@ -64,14 +76,7 @@ const TunePoint& Evaluator::start() const {
 std::vector<TunePoint> Evaluator::evaluate(const std::vector<std::vector<double>>& points,
                                            const Watch& watch) {
   for (const std::vector<double>& point : points) inside_->require(point);
-  const std::atomic<bool> never{false};
-  long done = 0;
-  auto evaluations = internal::simulate_points(
-      inside_->study.inside(), points, inside_->workers, watch.stop != nullptr ? *watch.stop : never,
-      {inside_->engine, inside_->objective->end_limits()}, [&](std::size_t, const internal::Evaluation&) {
-        if (watch.progress)
-          watch.progress({"evaluations", ++done, static_cast<long>(points.size()), NAN, {}});
-      });
+  auto evaluations = inside_->simulate(points, inside_->objective->end_limits(), watch);
   std::vector<TunePoint> judged;
   if (!evaluations) return judged;
   judged.reserve(points.size());

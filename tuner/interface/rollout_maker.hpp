@@ -11,9 +11,11 @@
 namespace armtune {
 
 struct RolloutMaker {
-  /// Converts a result without its broken limits. recording: a rollout that contains only the recorded table.
+  /// Converts a result, but leaves out its broken limits. recording: a rollout that contains only the
+  /// recorded table.
   static Rollout made(internal::ScenarioResult result, Rollout recording = {});
-  /// Converts a result with its broken limits. The arm's limits must have been checked during the rollout.
+  /// Converts a result together with its broken limits. The arm's limits must have been checked during the
+  /// rollout.
   static Rollout watched(internal::ScenarioResult result, Rollout recording = {});
   /// Moves the recording into the rollout. completed: true if the rollout completed (see Recorder::rows).
   static void record(Rollout& rollout, internal::Recorder recorder, bool completed);

@@ -64,8 +64,8 @@ void Scenario::set_name(const std::string& name) {
 void Scenario::set_duration(double seconds) {
   const double period = inside_->control_period;
   if (!(seconds >= period && seconds <= kMostPeriods * period)) {
-    throw InputError(fmt::format("duration: {} s; it must lie between one and {:.0e} control periods of {} s",
-                                 seconds, kMostPeriods, period));
+    throw InputError(fmt::format("duration: {} s; it must have 1 to {:.0e} control periods of {} s", seconds,
+                                 kMostPeriods, period));
   }
   inside_ = changed(*inside_, [&](internal::Scenario& s) { s.duration = seconds; });
   files_.reset();

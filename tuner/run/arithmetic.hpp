@@ -8,6 +8,7 @@
 
 namespace armtune::internal {
 
+/// Which variants of sin, exp and the like a process uses. They differ in their last bits.
 struct Arithmetic {
   std::string level;        ///< "baseline x86-64", or "of this processor" if the baseline is not available
   std::string fingerprint;  ///< hash of the results of elementary functions for fixed arguments

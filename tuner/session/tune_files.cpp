@@ -89,8 +89,9 @@ std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResul
     for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
       const RolloutResult& again = (*evaluations)[i].results[s];
       if (seen.engine == Engine::kSimbody && !same_metrics(again, seen.results[s])) {
-        throw FailedError(fmt::format("{}: the {} gains gave other metrics when simulated again",
-                                      study.scenarios[s].name, sets[i].name));
+        throw FailedError(
+            fmt::format("{}: a second simulation of the {} gains gave different metrics from the search's",
+                        study.scenarios[s].name, sets[i].name));
       }
       sets[i].results.push_back({study.scenarios[s].name, again});
     }

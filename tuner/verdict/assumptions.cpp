@@ -121,7 +121,9 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
                  verdict.assumes);
     }
     if (const std::string bodies = looked_at_for_obstacles(scenario); !bodies.empty())
-      add_once(fmt::format("only {} can touch an obstacle in {}", bodies, scenario.name), verdict.assumes);
+      add_once(fmt::format("in {}, parts of the arm other than {} do not touch an obstacle", scenario.name,
+                           bodies),
+               verdict.assumes);
     const RobotModel plant = plant_model(scenario);
     const std::vector<std::string> stiff = stiff_joints(scenario, plant);
     if (!stiff.empty() && stepper != Stepper::kReference) {

@@ -57,7 +57,7 @@ TEST(ControllerStudy, LoadsWithTheFilesGainsItsRateAndEveryMotion) {
   inputs.trajectories.push_back(inputs.trajectories.front());
   std::filesystem::copy_file(kExample + "moves.csv", folder / "study.csv");
   inputs.trajectories.push_back(folder / "study.csv");
-  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
   EXPECT_THAT(files.written,
               UnorderedElementsAre("study.yaml", "moves.yaml", "moves_2.yaml", "study_2.yaml"));
   const Study study = load_study(files.study);
@@ -82,7 +82,7 @@ TEST(ControllerStudy, EstimatesTheRotorsThatNobodyGives) {
   const test::TemporaryFolder folder;
   ControllerStudyInputs inputs = example();
   inputs.robot = ARMTUNE_SOURCE_DIR "/examples/ur5e/ur5e.urdf";
-  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
   EXPECT_THAT(files.written, Contains("robot.yaml"));
   EXPECT_THAT(files.notes, Contains(HasSubstr("rotor inertia")));
   EXPECT_EQ(load_study(files.study).scenarios[0].robot->estimated_rotors.size(), 6U);
@@ -91,8 +91,10 @@ TEST(ControllerStudy, EstimatesTheRotorsThatNobodyGives) {
 TEST(ControllerStudy, TunesStiffnessAndDampingOfAJointImpedanceController) {
   const test::TemporaryFolder folder;
   const std::string example = ARMTUNE_SOURCE_DIR "/examples/joint_impedance/";
-  const ControllerStudyFiles files = write_controller_study(
-      {"panda", example + "controllers.yaml", "", {example + "moves.csv"}}, folder / "made");
+  const ControllerStudyFiles files =
+      write_controller_study({"panda", example + "controllers.yaml", "", {example + "moves.csv"}},
+                             folder / "made")
+          .value();
   EXPECT_THAT(files.notes, IsEmpty());
   const Study study = load_study(files.study);
   EXPECT_EQ(study.scenarios.front().control_period, 0.001);
@@ -112,7 +114,7 @@ TEST(ControllerStudy, SaysNothingOfAMotionWithVelocities) {
       "wrist_3_joint]\npoints:\n"
       "- {positions: [0, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 0}\n"
       "- {positions: [1, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 2}\n")};
-  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
   EXPECT_THAT(files.notes, IsEmpty());
   EXPECT_EQ(load_study(files.study).scenarios[0].planned->at(1.0).position[0], 0.5);
 }
@@ -136,7 +138,7 @@ TEST(ControllerStudy, PlansTheMotionThroughGoalsWithoutTimes) {
         "wrist_3_joint]\npoints:\n- {positions: [0, -1.5, 1, 0, 0, 0], time_from_start: 0}\n"
         "- {positions: [1, -1.5, 1, 0, 0, 0], time_from_start: 3}\n"};
   };
-  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
   ASSERT_EQ(asked.positions.size(), 2U);
   EXPECT_DOUBLE_EQ(asked.positions[1][0], std::numbers::pi / 6.0);
   EXPECT_EQ(asked.robot->name, "ur5e");
@@ -146,14 +148,19 @@ TEST(ControllerStudy, PlansTheMotionThroughGoalsWithoutTimes) {
   EXPECT_THAT(files.notes, Contains(AllOf(HasSubstr("takes 2.0 s"), HasSubstr("goals_motion.yaml"))));
   const Scenario scenario = load_study(files.study).scenarios.front();
   EXPECT_EQ(scenario.planned->end(), 3.0) << "the scenario follows the message";
+
+  inputs.timing = [](const JointGoals&) { return std::nullopt; };
+  EXPECT_FALSE(write_controller_study(inputs, folder / "stopped")) << "stopped while it was planned";
+  EXPECT_FALSE(std::filesystem::exists(folder / "stopped"));
 }
 
 TEST(ControllerStudy, TakesTheRateThatIsGivenOverTheFiles) {
   const test::TemporaryFolder folder;
   ControllerStudyInputs inputs = example();
   inputs.rate = 250.0;
-  EXPECT_EQ(load_study(write_controller_study(inputs, folder / "a").study).scenarios[0].control_period,
-            0.004);
+  EXPECT_EQ(
+      load_study(write_controller_study(inputs, folder / "a").value().study).scenarios[0].control_period,
+      0.004);
   inputs.rate = 0.0;
   inputs.controllers = folder.write("none.yaml", changed("update_rate: 500", "use_sim_time: false"));
   EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "b"); }),
@@ -193,7 +200,7 @@ TEST(ControllerStudy, OfVelocityCommandsIsOfThatKind) {
                                     "    type: joint_trajectory_controller/JointTrajectoryController\n"
                                     "    command_interfaces: [velocity]\n    gains:\n" +
                                         velocity_gains());
-  const Study study = load_study(write_controller_study(inputs, folder / "a").study);
+  const Study study = load_study(write_controller_study(inputs, folder / "a").value().study);
   EXPECT_EQ(study.space.start.controller, "joint_trajectory_controller_velocity");
   EXPECT_EQ(study.space.free.size(), 6U) << "p alone";
   const RolloutResult result =
@@ -212,7 +219,7 @@ TEST(ControllerStudy, DampingThatIsZeroIsTunedWhereTheFileHasANumberForIt) {
   ControllerStudyInputs inputs = example();
   inputs.controllers =
       folder.write("p.yaml", changed("wrist_1_joint: {p: 300.0, d: 10.0", "wrist_1_joint: {p: 300.0, d: 0"));
-  const ControllerStudyFiles files = write_controller_study(inputs, folder / "a");
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "a").value();
   EXPECT_THAT(files.notes, Contains(AllOf(HasSubstr("d of wrist_1_joint is 0"), HasSubstr("p.yaml"))));
   const Study study = load_study(files.study);
   EXPECT_EQ(study.space.free.size(), 18U);
@@ -228,7 +235,7 @@ TEST(ControllerStudy, DampingThatIsZeroIsTunedWhereTheFileHasANumberForIt) {
   // A file without the number could not be given one.
   inputs.controllers =
       folder.write("none.yaml", changed("wrist_1_joint: {p: 300.0, d: 10.0,", "wrist_1_joint: {p: 300.0,"));
-  EXPECT_EQ(load_study(write_controller_study(inputs, folder / "b").study).space.free.size(), 17U);
+  EXPECT_EQ(load_study(write_controller_study(inputs, folder / "b").value().study).space.free.size(), 17U);
 }
 
 // Of a PD controller, and of one whose wrists have no integral: what is 0 stays 0.
@@ -237,7 +244,7 @@ TEST(ControllerStudy, GainsThatAreZeroAreNotTuned) {
   ControllerStudyInputs inputs = example();
   inputs.controllers =
       folder.write("pd.yaml", changed("p: 300.0, d: 10.0, i: 50.0", "p: 300.0, d: 10.0, i: 0.0"));
-  const Study study = load_study(write_controller_study(inputs, folder / "a").study);
+  const Study study = load_study(write_controller_study(inputs, folder / "a").value().study);
   EXPECT_EQ(study.space.free.size(), 17U);
   EXPECT_EQ(study.space.start.own[1][3], 0.0);
 }
@@ -259,7 +266,7 @@ TEST(ControllerStudy, ConstrainsWhatTheArmCanTouch) {
       "arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
                   "/sim/robots/ur5e.urdf\ntip_link: tool0\nrotor_inertia: estimated\n"
                   "cell: {floor: -0.5, parts: [{name: wall, box: [0.1, 2, 2], center: [-2, 0, 0]}]}\n");
-  const Study study = load_study(write_controller_study(inputs, folder / "made").study);
+  const Study study = load_study(write_controller_study(inputs, folder / "made").value().study);
   for (const Metric metric : {Metric::kClearanceSelf, Metric::kClearanceCell, Metric::kClearanceFloor,
                               Metric::kJointPositionMinMargin})
     EXPECT_THAT(study.constraints, Contains(testing::Field(&Constraint::metric, metric))) << name(metric);
@@ -274,15 +281,15 @@ TEST(ControllerStudy, MotionsInDegreesAreReadAsTheyAreSaidToBe) {
   EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "a"); }),
               AllOf(HasSubstr("deg.csv:2"), HasSubstr("--degrees")));
   inputs.degrees = true;
-  const ControllerStudyFiles files = write_controller_study(inputs, folder / "a");
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "a").value();
   EXPECT_DOUBLE_EQ(load_study(files.study).scenarios[0].planned->at(3.0).position[0], std::numbers::pi / 2);
   EXPECT_THAT(files.notes, Contains(HasSubstr("begins at 1 s")));
 }
 
 TEST(ControllerStudy, TheSameCallAgainLeavesWhatIsThereAndAChangedStudyIsNotOverwritten) {
   const test::TemporaryFolder folder;
-  const ControllerStudyFiles first = write_controller_study(example(), folder / "made");
-  EXPECT_EQ(write_controller_study(example(), folder / "made").study, first.study);
+  const ControllerStudyFiles first = write_controller_study(example(), folder / "made").value();
+  EXPECT_EQ(write_controller_study(example(), folder / "made").value().study, first.study);
   const std::string own = test::read_text(first.study) + "# mine\n";
   folder.write("made/study.yaml", own);
   EXPECT_THAT(test::refusal([&] { write_controller_study(example(), folder / "made"); }), HasSubstr("made"));
@@ -330,7 +337,7 @@ TEST(ControllerStudy, TakesTheControllerThatIsNamedOfSeveral) {
   EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "a"); }),
               HasSubstr("name one of them"));
   inputs.node = "leg_controller";
-  const Study study = load_study(write_controller_study(inputs, folder / "a").study);
+  const Study study = load_study(write_controller_study(inputs, folder / "a").value().study);
   EXPECT_EQ(study.space.start.own[0][0], 1500.0);
   // And it is that one whose numbers change.
   Gains tuned = study.space.start;
@@ -346,7 +353,7 @@ TEST(ControllerStudy, AParameterFileThatIsCalledAsOneOfTheRunsGetsAnotherName) {
   const test::TemporaryFolder folder;
   ControllerStudyInputs inputs = example();
   inputs.controllers = folder.write("gains.yaml", test::read_text(kExample + "ros2_controllers.yaml"));
-  const Study study = load_study(write_controller_study(inputs, folder / "a").study);
+  const Study study = load_study(write_controller_study(inputs, folder / "a").value().study);
   std::filesystem::create_directory(folder / "run");
   EXPECT_EQ(write_controllers(study, study.space.start, folder / "run"), "ros_gains.yaml");
   EXPECT_EQ(test::read_text(folder / "run/ros_gains.yaml"), test::read_text(inputs.controllers))

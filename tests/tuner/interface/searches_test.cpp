@@ -100,6 +100,13 @@ TEST(InterfaceOfEvaluate, GivesEveryPointWhatTheSearchGivesIt) {
   }
 }
 
+TEST(InterfaceOfEvaluate, SimulatesInTheEngineOfTheSearchUnlessToldOtherwise) {
+  const ShortStudy native(internal::test::kShortParameters, internal::test::kShortObjective,
+                          internal::test::kShortConstraints, internal::test::kShortNativeSearch);
+  EXPECT_EQ(Evaluator(Study::load(native.path())).start().engine, Engine::kNative);
+  EXPECT_EQ(Evaluator(Study::load(ShortStudy().path())).start().engine, Engine::kSimbody);
+}
+
 TEST(InterfaceOfEvaluate, RefusesWhatIsNoPointAndEndsWhereItIsStopped) {
   const ShortStudy files;
   Evaluator evaluator(Study::load(files.path()));
@@ -120,6 +127,7 @@ TEST(InterfaceOfEvaluate, RefusesWhatIsNoPointAndEndsWhereItIsStopped) {
   Watch watch;
   watch.stop = &stop;
   EXPECT_TRUE(evaluator.evaluate({middle}, watch).empty());
+  EXPECT_THROW(Evaluator(Study::load(files.path()), {}, watch), FailedError);
   Evaluator moved = std::move(evaluator);
   EXPECT_EQ(moved.evaluate({middle}).size(), 1U);
 }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/trajectory/linear_acceleration.hpp"
 #include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/robot_file.hpp"
@@ -24,6 +26,11 @@ JointVector ur5e_at(double pan, double lift, double elbow) {
 JointGoals goals_of(std::shared_ptr<const RobotModel> robot, std::vector<JointVector> positions) {
   auto clearance = std::make_shared<const ClearanceModel>(robot, Cell{});
   return {"goals.csv", std::move(robot), std::move(clearance), std::move(positions)};
+}
+
+TimedGoals timed(const JointGoals& goals) {
+  const std::atomic<bool> never{false};
+  return time_goals(goals, never).value();
 }
 
 /// The largest share of each limit that a motion uses at its knots, and of jerk between them.
@@ -58,8 +65,8 @@ TEST(TimedGoals, AreReachedInTurnAtRestAndInsideTheLimits) {
   const auto robot = load_robot("ur5e");
   const std::vector<JointVector> positions = {ur5e_at(0.0, -1.5, 1.2), ur5e_at(1.5, -1.0, 1.5),
                                               ur5e_at(-0.5, -1.2, 0.9)};
-  const TimedGoals timed = time_goals(goals_of(robot, positions));
-  const JointSpline& motion = timed.motion;
+  const TimedGoals both = timed(goals_of(robot, positions));
+  const JointSpline& motion = both.motion;
   EXPECT_EQ(motion.begin(), 0.0);
   std::size_t reached = 0;
   double rest = 0.0;
@@ -81,7 +88,7 @@ TEST(TimedGoals, AreReachedInTurnAtRestAndInsideTheLimits) {
 
   // The message is the same motion, but for its times in nanoseconds.
   const test::TemporaryFolder folder;
-  const JointSpline sent = load_planned_motion({{folder.write("sent.yaml", timed.message)}}, *robot);
+  const JointSpline sent = load_planned_motion({{folder.write("sent.yaml", both.message)}}, *robot);
   ASSERT_EQ(sent.time().size(), motion.time().size());
   for (std::size_t k = 0; k < sent.time().size(); ++k) {
     EXPECT_NEAR(sent.time()[k], motion.time()[k], 1e-9);
@@ -96,18 +103,18 @@ TEST(TimedGoals, KeepTheRobotsAccelerationLimits) {
   for (JointInfo& joint : slow.joints) joint.limits.acceleration = 0.5;
   const auto robot = std::make_shared<const RobotModel>(slow);
   const JointSpline motion =
-      time_goals(goals_of(robot, {ur5e_at(0.0, -1.5, 1.2), ur5e_at(1.5, -1.0, 1.5)})).motion;
-  const Use use = use_of(motion, *robot, JointVector::Constant(6, 0.5));
+      timed(goals_of(robot, {ur5e_at(0.0, -1.5, 1.2), ur5e_at(1.5, -1.0, 1.5)})).motion;
+  const Use use = use_of(motion, *robot, JointVector::Constant(6, 0.4));  // 80 % of the limit
   EXPECT_LT(use.acceleration, 1.0 + 1e-6);
   EXPECT_GT(use.acceleration, 1.0 - 1e-3);
   EXPECT_LT(use.jerk, 1.0 + 1e-6);
-  // 1.5 rad at 0.5 rad/s^2 without jerk limits would take 2 sqrt(1.5 / 0.5) s; a ramp of 0.1 s adds 0.1 s.
-  EXPECT_NEAR(motion.end() - 0.5, 2.0 * std::sqrt(3.0) + 0.1, 0.02);
+  // 1.5 rad at 0.4 rad/s^2 without jerk limits would take 2 sqrt(1.5 / 0.4) s; a ramp of 0.1 s adds 0.1 s.
+  EXPECT_NEAR(motion.end() - 0.5, 2.0 * std::sqrt(1.5 / 0.4) + 0.1, 0.02);
 }
 
 TEST(TimedGoals, AGoalTwiceInTurnIsARest) {
   const JointVector there = ur5e_at(0.0, -1.5, 1.2);
-  const JointSpline motion = time_goals(goals_of(load_robot("ur5e"), {there, there, there})).motion;
+  const JointSpline motion = timed(goals_of(load_robot("ur5e"), {there, there, there})).motion;
   EXPECT_EQ(motion.time(), (std::vector{0.0, 0.5, 1.0}));
   EXPECT_EQ(motion.at(0.7).position, there);
 }
@@ -115,15 +122,45 @@ TEST(TimedGoals, AGoalTwiceInTurnIsARest) {
 TEST(TimedGoals, ThatTouchTheArmOrNeedTooMuchTorqueAreRefused) {
   const auto robot = load_robot("ur5e");
   const JointVector fine = ur5e_at(0.0, -1.5, 1.2);
-  const auto refused = [&](const JointGoals& goals) { return test::refusal([&] { time_goals(goals); }); };
+  const auto refused = [&](const JointGoals& goals) { return test::refusal([&] { timed(goals); }); };
   // Folded until the wrist is in the upper arm.
-  EXPECT_THAT(refused(goals_of(robot, {ur5e_at(0.0, -1.5, 3.1), fine})),
-              AllOf(HasSubstr("goals.csv"), HasSubstr("clearance")));
-  EXPECT_THAT(refused(goals_of(robot, {fine, ur5e_at(0.0, -1.5, 3.1)})), HasSubstr("from goal 1 to goal 2"));
+  for (const bool first : {true, false}) {
+    const JointVector folded = ur5e_at(0.0, -1.5, 3.1);
+    EXPECT_THAT(refused(first ? goals_of(robot, {folded, fine}) : goals_of(robot, {fine, folded})),
+                AllOf(HasSubstr("goals.csv"), HasSubstr(first ? "goal 1: " : "goal 2: "),
+                      HasSubstr("distance between links"), HasSubstr("farther away")));
+  }
   RobotModel weak = *robot;
   weak.joints[1].limits.effort = 20.0;
-  EXPECT_THAT(refused(goals_of(std::make_shared<const RobotModel>(weak), {fine, ur5e_at(0.0, 0.0, 0.0)})),
-              AllOf(HasSubstr("goals.csv"), HasSubstr("shoulder_lift_joint"), HasSubstr("torque")));
+  EXPECT_THAT(refused(goals_of(std::make_shared<const RobotModel>(weak),
+                               {ur5e_at(0.0, -std::numbers::pi / 2.0, 0.0), ur5e_at(0.0, 0.0, 0.0)})),
+              AllOf(HasSubstr("goal 2: torque of shoulder_lift_joint"), HasSubstr("is -16;")));
+}
+
+TEST(TimedGoals, BesideAMovingPartAreRefused) {
+  JointGoals goals = goals_of(load_robot("ur5e"), {ur5e_at(0.0, -1.5, 1.2), ur5e_at(1.5, -1.0, 1.5)});
+  Cell cell;
+  cell.parts.push_back({"carrier", sphere(0.1), Mat3::Identity(), Path{}});
+  cell.parts[0].path.center = Vec3(2.0, 0.0, 0.0);
+  goals.clearance = std::make_shared<const ClearanceModel>(goals.robot, cell);
+  EXPECT_NO_THROW(timed(goals));
+  cell.parts[0].path.terms = {{1, Vec3(0.1, 0.0, 0.0), Vec3::Zero()}};
+  cell.parts[0].path.frequency = 1.0;
+  goals.clearance = std::make_shared<const ClearanceModel>(goals.robot, cell);
+  EXPECT_THAT(test::refusal([&] { timed(goals); }), AllOf(HasSubstr("carrier"), HasSubstr("times")));
+}
+
+TEST(TimedGoals, TellHowFarTheyAreAndEndWhereTheyAreStopped) {
+  const JointGoals goals = goals_of(
+      load_robot("ur5e"), {ur5e_at(0.0, -1.5, 1.2), ur5e_at(0.3, -1.5, 1.2), ur5e_at(0.6, -1.5, 1.2)});
+  std::vector<std::size_t> seen;
+  std::atomic<bool> stop{false};
+  EXPECT_TRUE(time_goals(goals, stop, [&](std::size_t done, std::size_t all) {
+    EXPECT_EQ(all, 2U);
+    seen.push_back(done);
+  }));
+  EXPECT_EQ(seen, (std::vector<std::size_t>{0, 1}));
+  EXPECT_FALSE(time_goals(goals, stop, [&](std::size_t done, std::size_t) { stop = done == 1; }));
 }
 
 }  // namespace timed_goals_test

@@ -1,12 +1,12 @@
 #include "tuner/planning/session/plan_session.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/error_report.hpp"
+#include "tuner/planning/output/contact_note.hpp"
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
 #include "tuner/planning/output/scenario_file.hpp"
@@ -27,29 +27,6 @@ report::Scene scene_of_plan(const PlanTask& task) {
   shown.name = task.name;
   if (!tool_demands(task).path) shown.path = {};
   return scene;
-}
-
-/// What the motion is known to keep away from, as a comment for whoever sends it to a robot.
-std::string known_of_contact(const PlanTask& task) {
-  std::vector<std::string> kept;
-  const auto& clearance = task.scenario.clearance;
-  if (task.clearance > 0.0 && !task.scenario.obstacles.empty())
-    kept.emplace_back("the obstacles (measured at the tool and the joint origins)");
-  if (task.clearance > 0.0 && clearance) {
-    if (clearance->has(Clearance::kCell)) kept.emplace_back("the parts of the cell");
-    if (clearance->has(Clearance::kFloor)) kept.emplace_back("the floor");
-  }
-  const bool self = task.clearance > 0.0 && clearance && clearance->has(Clearance::kSelf);
-  if (kept.empty() && !self) return "The plan ignores the arm's surroundings and contact between its links.";
-  std::string text;
-  if (!kept.empty())
-    text = fmt::format("At its knots, the motion keeps at least {:g} m from {} of {}. ", task.clearance,
-                       fmt::join(kept, ", "), task.scenario.name);
-  text += self ? "At its knots, links do not touch each other." : "It ignores contact between links.";
-  if (clearance && !clearance->arm().unknown.empty())
-    text += fmt::format(" Not checked, because their shapes are not known: {}.",
-                        fmt::join(clearance->arm().unknown, ", "));
-  return text;
 }
 
 }  // namespace
@@ -94,7 +71,7 @@ void PlanSession::write_files() {
   write_text_file(folder + "/joint_trajectory.yaml",
                   ros_trajectory(robot, planned.trajectory, settings_.ros,
                                  {"trajectory_msgs/JointTrajectory by armtune plan, task " + task.name,
-                                  known_of_contact(task) + " Run it slowly first."}));
+                                  contact_note(task) + " Run it slowly first."}));
   write_text_file(folder + "/" + planned_scenario_name(task), planned_scenario_yaml(task));
   Provenance p;
   p.command = context_.invocation.line;

@@ -5,13 +5,16 @@
 #include <utility>
 
 #include "armtune/error.hpp"
+#include "tuner/planning/output/contact_note.hpp"
 #include "tuner/planning/output/ros_trajectory.hpp"
+#include "tuner/planning/tasks/given_states.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
+#include "tuner/planning/transcription/arm_terms.hpp"
 
 namespace armtune::internal {
 namespace {
 
-constexpr double kShare = 0.8;      // of velocity and effort limits
+constexpr double kShare = 0.8;      // of the robot's limits: studies allow 0.9
 constexpr double kSpeedUp = 0.5;    // s from rest to the permitted velocity
 constexpr double kForceUp = 0.1;    // s from no acceleration to the permitted one
 constexpr double kRest = 0.5;       // s at every goal
@@ -24,13 +27,13 @@ PlanTask move_of(const JointGoals& goals) {
   PlanTask task;
   task.name = task.source = goals.file;
   task.kind = PlanKind::kMove;
-  task.scenario.name = goals.file;
+  task.scenario.name = robot.name;
   task.scenario.robot = goals.robot;
   task.scenario.clearance = goals.clearance;
   if (goals.clearance && !goals.clearance->pairs().empty()) task.clearance = kFromCell;
   task.limits.velocity = task.limits.effort = kShare;
   task.limits.acceleration =
-      robot.acceleration_limits().cwiseMin(kShare / kSpeedUp * robot.velocity_limits());
+      kShare * robot.acceleration_limits().cwiseMin(robot.velocity_limits() / kSpeedUp);
   task.limits.jerk = task.limits.acceleration / kForceUp;
   task.knots = kKnots;
   task.start.velocity = task.start.acceleration = JointVector::Zero(robot.n());
@@ -80,16 +83,54 @@ class Motion {
   std::vector<MotionPoint<JointVector>> knots_;
 };
 
+void refuse_moving_parts(const JointGoals& goals) {
+  if (!goals.clearance) return;
+  for (const CellPart& part : goals.clearance->cell().parts) {
+    if (!part.path.rests())
+      throw InputError(
+          InputPlace{goals.file},
+          fmt::format("there are joint goals without times, but part '{}' of the cell moves, and "
+                      "where it is depends on the time; give the times of the goals",
+                      part.name));
+  }
+}
+
+/// Throws if a goal breaks a limit at rest.
+void check_goals(const JointGoals& goals, const PlanTask& task) {
+  std::vector<std::pair<KnotTerm, const char*>> terms = {
+      {torque_limits(*goals.robot, {0, 0}, kShare), "choose a position that needs less torque"}};
+  if (task.clearance > 0.0) {
+    for (KnotTerm& term : clear_of_cell(goals.clearance, {0, 0}, task.clearance))
+      terms.emplace_back(std::move(term), "choose a position farther away");
+  }
+  for (std::size_t k = 0; k < goals.positions.size(); ++k) {
+    const Knot state = at_rest(*goals.robot, goals.positions[k], 0.0);
+    for (const auto& [term, advice] : terms) {
+      if (const auto broken = broken_term(term, state))
+        throw InputError(InputPlace{goals.file},
+                         fmt::format("goal {}: {}, but the limit of a planned motion is {:.4g}; {}", k + 1,
+                                     broken->value, broken->limit, advice));
+    }
+  }
+}
+
 }  // namespace
 
-TimedGoals time_goals(const JointGoals& goals) {
+std::optional<TimedGoals> time_goals(const JointGoals& goals, const std::atomic<bool>& stop,
+                                     const std::function<void(std::size_t, std::size_t)>& progress) {
+  refuse_moving_parts(goals);
   PlanTask task = move_of(goals);
+  check_goals(goals, task);
   Motion motion(goals.positions.front());
-  for (std::size_t k = 1; k < goals.positions.size(); ++k) {
+  const std::size_t moves = goals.positions.size() - 1;
+  for (std::size_t k = 1; k <= moves; ++k) {
+    if (progress) progress(k - 1, moves);
     task.start.position = motion.position();
     task.goal = goals.positions[k];
     if (!(task.goal - task.start.position).isZero(0.0)) {
-      const PlannedTrajectory planned = solve_plan(plan_problem(task));
+      const PlannedTrajectory planned =
+          solve_plan(plan_problem(task), {}, [&stop](const SequentialQuadraticProgress&) { return !stop; });
+      if (stop) return std::nullopt;
       if (planned.result.status != PlanStatus::kSolved)
         throw InputError(
             InputPlace{goals.file},
@@ -100,11 +141,13 @@ TimedGoals time_goals(const JointGoals& goals) {
     }
     motion.rest(motion.end() + kRest, task.goal);
   }
-  return {
+  if (stop) return std::nullopt;
+  return TimedGoals{
       motion.spline(),
       ros_trajectory(*goals.robot, motion.trajectory(), goals.ros2 ? RosVersion::kRos2 : RosVersion::kRos1,
                      {"trajectory_msgs/JointTrajectory by armtune, through the joint goals of " + goals.file,
-                      "Run it slowly first. docs/joint_trajectory_controller.md states its limits."})};
+                      contact_note(task) + " The robot must stand at the first point when the "
+                                           "motion begins. Run it slowly first."})};
 }
 
 }  // namespace armtune::internal

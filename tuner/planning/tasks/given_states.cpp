@@ -11,15 +11,6 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of a limit
 
-Knot at_rest(const RobotModel& robot, const JointVector& q, double time) {
-  Knot knot;
-  knot.time = time;
-  knot.q = q;
-  forward_kinematics(robot.chain, q, knot.poses);
-  knot.qd = knot.qdd = JointVector::Zero(robot.n());
-  return knot;
-}
-
 std::vector<double> values(const KnotTerm& term, const Knot& knot) {
   std::vector<double> value(term.rows.size());
   KnotRows rows;
@@ -31,18 +22,34 @@ std::vector<double> values(const KnotTerm& term, const Knot& knot) {
 /// Throws where the state that `key` gives breaks one of the term's limits.
 void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const char* key,
            const char* advice) {
+  if (const auto broken = broken_term(term, state))
+    throw InputError(
+        InputPlace{shown_path(task.source)},
+        fmt::format("{}: {}, but the task's limit is {:.4g}; {}", key, broken->value, broken->limit, advice));
+}
+
+}  // namespace
+
+Knot at_rest(const RobotModel& robot, const JointVector& q, double time) {
+  Knot knot;
+  knot.time = time;
+  knot.q = q;
+  forward_kinematics(robot.chain, q, knot.poses);
+  knot.qd = knot.qdd = JointVector::Zero(robot.n());
+  return knot;
+}
+
+std::optional<BrokenTerm> broken_term(const KnotTerm& term, const Knot& state) {
   const std::vector<double> value = values(term, state);
   for (std::size_t row = 0; row < value.size(); ++row) {
     const bool below = value[row] < term.lower - kRounding;
     if (!below && value[row] <= term.upper + kRounding) continue;
-    throw InputError(InputPlace{shown_path(task.source)},
-                     fmt::format("{}: {} of {} would be {:.4g} {}, but the task's limit is {:.4g}; {}", key,
-                                 term.name, term.rows[row], term.natural(row, value[row]), term.units[row],
-                                 term.natural(row, below ? term.lower : term.upper), advice));
+    return BrokenTerm{fmt::format("{} of {} would be {:.4g} {}", term.name, term.rows[row],
+                                  term.natural(row, value[row]), term.units[row]),
+                      term.natural(row, below ? term.lower : term.upper)};
   }
+  return std::nullopt;
 }
-
-}  // namespace
 
 void check_given_states(const PlanCommon& common) {
   const PlanTask& task = common.task;
