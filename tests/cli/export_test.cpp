@@ -38,9 +38,17 @@ TEST_F(ExportCommand, OfATunedRunSaysWhereItsGainsCameFromAndReadsBackToTheBit) 
     EXPECT_EQ(gains_yaml(load_gains(file, joints_), {}), written);
     EXPECT_THAT(test::read_text(file),
                 AllOf(HasSubstr("# study: "), HasSubstr("# seed: 1\n"), HasSubstr("# command: armtune tune"),
+                      HasSubstr("# simulation checks: passed\n"),
                       ContainsRegex("# joint_velocity/max_ratio: 0\\.[0-9]+ in short"),
                       ContainsRegex("# input bundled robots/ur10.urdf: fnv1a-[0-9a-f]+\n")));
   }
+  std::string verdict = test::read_text(run + "/verdict.yaml");
+  EXPECT_EQ(run_program({"export", run}).err, "");
+  std::ofstream(run + "/verdict.yaml")
+      << std::string(verdict).replace(verdict.find(", passed: true"), 14, ", passed: false");
+  EXPECT_THAT(run_program({"export", run}).err,
+              HasSubstr("in simulation these gains failed: constraints. Do not"));
+  EXPECT_EQ(run_program({"export", run + "/start"}).err, "") << "the checks were those of other gains";
   // Other gains of the run are of its arm, but its figures are not theirs; nor are they once gains.yaml is
   // changed, or the arm is another.
   const auto without_figures = [](const std::vector<std::string>& arguments, const std::string& why) {

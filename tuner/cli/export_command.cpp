@@ -68,6 +68,7 @@ int run(const Arguments& args) {
   file.origin.insert(file.origin.begin(),
                      {"gains", fmt::format("{}, for {}", shown_path(path), robot->name)});
   file.others = published_path(path);
+  warn_of_failed_checks(path, run);
   const std::string text = args.into.empty() ? gains_text(file, format) : changed_controllers(args, file);
   if (args.file.empty()) {
     say(text);

@@ -8,6 +8,7 @@
 #include "armtune/error.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tuner/cli/gain_set.hpp"
+#include "tuner/cli/session_printer.hpp"
 #include "tuner/gains/gains_origin.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_file.hpp"
@@ -61,6 +62,15 @@ std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& 
     if (!is_known(row)) origin.push_back(row);
   }
   return origin;
+}
+
+void warn_of_failed_checks(const std::string& path, const std::string& run) {
+  const auto own = run.empty() ? std::nullopt : find_run_file(run, "gains.yaml");
+  if (!own || hash_of_input(path) != hash_of_input(*own)) return;
+  if (const std::string failed = failed_checks(run); !failed.empty())
+    print_warning(fmt::format(
+        "in simulation these gains failed: {}. Do not put them on a robot; {}/verdict.yaml has the details",
+        failed, run));
 }
 
 }  // namespace armtune::internal::cli

@@ -58,7 +58,10 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   settings.workers = default_workers();
   CLI::App* command = app.add_subcommand("simulate", "Simulate scenarios and report errors and limits");
   command->add_option("SCENARIO", args->scenarios, "bundled scenarios or YAML files of your own")->required();
-  command->add_option("--gains", args->gains, "bundled gains or a YAML file")->capture_default_str();
+  command
+      ->add_option("--gains", args->gains,
+                   "bundled gains or a YAML file; 'published' are the hand-tuned ones of the UR10")
+      ->capture_default_str();
   command->add_option("--theta", args->theta,
                       "theta.yaml with the initial model parameters of the controller (default: those of the "
                       "scenarios)");

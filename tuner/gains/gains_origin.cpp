@@ -1,6 +1,7 @@
 #include "tuner/gains/gains_origin.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/verdict/verdict.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -75,6 +77,15 @@ void add_limits(const std::string& folder, Rows& rows) {
   }
 }
 
+void add_checks(const std::string& folder, Rows& rows) {
+  if (!find_run_file(folder, "verdict.yaml")) {
+    rows.emplace_back("simulation checks", "not made");
+    return;
+  }
+  const std::string failed = failed_checks(folder);
+  rows.emplace_back("simulation checks", failed.empty() ? "passed" : "failed: " + failed);
+}
+
 /// Of each margin what every scenario stands, from the rows that say it of all.
 void add_margins(const std::string& folder, Rows& rows) {
   const auto file = find_run_file(folder, "margins.csv");
@@ -96,6 +107,16 @@ void add_margins(const std::string& folder, Rows& rows) {
 }
 
 }  // namespace
+
+std::string failed_checks(const std::string& folder) {
+  const auto file = find_run_file(folder, "verdict.yaml");
+  if (!file) return {};
+  std::vector<const char*> failed;
+  for (const Check& check : read_verdict(*file).checks) {
+    if (!check.passed) failed.push_back(name(check.kind));
+  }
+  return fmt::format("{}", fmt::join(failed, ", "));
+}
 
 std::string run_above(const std::string& path) {
   constexpr int kLevels = 3;
@@ -129,6 +150,7 @@ Rows origin_of_run(const std::string& folder, bool with_figures) {
     }
   }
   if (figures && !all.empty()) {
+    add_checks(folder, rows);
     add_limits(folder, rows);
     add_margins(folder, rows);
   }

@@ -7,6 +7,7 @@
 
 #include "tests/sim/support/files.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/verdict/verdict.hpp"
 
 namespace armtune::internal {
 namespace gains_origin_test {
@@ -55,6 +56,24 @@ TEST(GainsOrigin, OfARunIsWhatItsFilesSay) {
   run.write("gains.yaml", "a: 1\n");
   EXPECT_THAT(origin_of_run(run.path()), Contains(Pair("gains file", hash_of_file(run / "gains.yaml"))));
   EXPECT_THAT(origin, Not(Contains(Key("workers")))) << "says nothing of the gains";
+}
+
+TEST(GainsOrigin, SaysWhichSimulationChecksFailed) {
+  const test::TemporaryFolder run;
+  run.write("run.yaml", "command: \"armtune tune mine\"\n");
+  EXPECT_THAT(origin_of_run(run.path()), Contains(Pair("simulation checks", "not made")));
+  SimulationVerdict verdict;
+  for (const CheckKind kind : {CheckKind::kVelocityLimit, CheckKind::kYield, CheckKind::kEndurance})
+    verdict.checks.push_back({.kind = kind, .passed = true});
+  run.write("verdict.yaml", verdict_yaml(verdict));
+  EXPECT_THAT(origin_of_run(run.path()), Contains(Pair("simulation checks", "passed")));
+  EXPECT_EQ(failed_checks(run.path()), "");
+  verdict.checks[1].passed = verdict.checks[2].passed = false;
+  run.write("verdict.yaml", verdict_yaml(verdict));
+  EXPECT_THAT(origin_of_run(run.path()), Contains(Pair("simulation checks", "failed: yield, endurance")));
+  EXPECT_EQ(failed_checks(run.path()), "yield, endurance");
+  EXPECT_THAT(origin_of_run(run.path(), false), Not(Contains(Key("simulation checks"))))
+      << "the run's checks are of other gains";
 }
 
 TEST(GainsOrigin, OfAFolderWithGainsAloneIsEmpty) {
