@@ -145,15 +145,15 @@ std::vector<JointVector> goals_of(const PlannedFile& file, const MotionPoints& p
                                   const RobotModel& robot) {
   const std::size_t count = points.points.size();
   if (count < 2)
-    throw InputError(
-        InputPlace{points.file},
-        "there is only one joint goal; give at least two, the first of which is the arm's start position");
+    throw InputError(InputPlace{points.file},
+                     "there is only one joint goal; give at least two. The arm starts at the first one");
   if (count > kMostGoals)
     throw InputError(
         InputPlace{points.file},
-        fmt::format("{} joint goals without times, of which a planned motion can have {}, with a "
-                    "stop at each; if they are points of one motion, give their times",
-                    count, kMostGoals));
+        fmt::format(
+            "the file has {} joint goals without times, but a planned motion stops at each goal and can "
+            "have at most {}; if these are points of one motion, give their times",
+            count, kMostGoals));
   MotionChecks(robot, points, hint_for_degrees(is_trajectory_message(file.table.path))).at_points();
   std::vector<JointVector> goals;
   goals.reserve(count);

@@ -10,8 +10,8 @@ namespace armtune::internal {
 /// not outweigh all others.
 inline constexpr double kLargestRatio = 10.0;
 
-/// Returns the score, from 0 to kLargestRatio, of a finite value of a metric. The metric must
-/// be one of which larger values are better, or smaller ones. reference: above zero.
+/// Returns the score, from 0 to kLargestRatio, of a finite value of a metric. For the metric,
+/// either larger values count as better, or smaller ones. reference: above zero.
 ///
 /// Let r be value / reference. The score is
 /// - min(10, r) if smaller values are better;
