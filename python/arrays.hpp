@@ -1,5 +1,5 @@
 #pragma once
-// NumPy arrays of numbers that C++ holds, without a copy.
+// Makes NumPy arrays that use numbers in the memory of C++ objects, without a copy.
 
 #include <pybind11/numpy.h>
 
@@ -8,7 +8,7 @@
 
 namespace armtune::internal::python {
 
-/// An array of these extents that owns the vector, which is moved from.
+/// Returns an array with the shape `extents`. It takes over the numbers of the vector.
 template <class Value>
 pybind11::array_t<Value> owning(std::vector<Value> values, std::vector<pybind11::ssize_t> extents) {
   auto* kept = new std::vector<Value>(std::move(values));
@@ -16,7 +16,8 @@ pybind11::array_t<Value> owning(std::vector<Value> values, std::vector<pybind11:
   return pybind11::array_t<Value>(std::move(extents), kept->data(), owner);
 }
 
-/// Every `step`-th of `count` numbers of an object that the array keeps alive.
+/// Returns an array of `count` numbers in the memory of the object `owner`, which the array keeps alive. They
+/// are the number at `first` and every `step`-th number after it.
 inline pybind11::array view(const double* first, std::size_t count, std::size_t step, pybind11::handle owner,
                             bool writable) {
   pybind11::array_t<double> array({static_cast<pybind11::ssize_t>(count)},

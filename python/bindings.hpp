@@ -1,5 +1,6 @@
 #pragma once
-// The parts of the module, each in a file of its own.
+// Declares the functions that add classes and functions to the Python module, each defined in a file of its
+// own, and helpers that these files share.
 
 #include <pybind11/pybind11.h>
 
@@ -11,17 +12,19 @@
 
 namespace armtune::internal::python {
 
-/// For classes whose objects only C++ makes. Python's own ways to one that holds nothing, such as
-/// Rollout.__new__(Rollout) or copy.copy, raise TypeError, as every use of such an object would be undefined.
+/// Returns the setup for classes whose objects only C++ creates. With it, Python calls such as
+/// Rollout.__new__(Rollout) or copy.copy raise TypeError. They would otherwise create an object without
+/// content, whose use is undefined behaviour.
 pybind11::custom_type_setup made_by_armtune();
 
-/// What None stands for where a path may be left out.
+/// A path that may be left out: None in Python. text_of converts it to text, which is empty if there is no
+/// path.
 using MaybePath = std::optional<std::filesystem::path>;
 inline std::string text_of(const MaybePath& path) {
   return path ? path->string() : std::string();
 }
 
-/// Raises ValueError for a word that is none.
+/// Returns the engine with this name, "simbody" or "native". Raises ValueError for any other name.
 armtune::Engine engine_of(const std::string& name);
 
 void bind_gains(pybind11::module_& module);

@@ -1,4 +1,4 @@
-// Controllers written in Python, for experiments: each control period calls Python.
+// Binds controllers that are written in Python, for experiments. Each control period calls Python.
 
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
@@ -19,7 +19,7 @@ using armtune::Gains;
 using armtune::GainShape;
 using armtune::LawSetup;
 
-/// What Python sees of a control period, for as long as that lasts.
+/// Gives Python access to a control period, as long as its control law is being called.
 struct Period {
   const LawState* state;
 
@@ -39,7 +39,8 @@ Vector model_torque(const Period& period, const Vector& v, const Vector& a) {
   return tau;
 }
 
-/// Calls `function`. What it raises ends the run, and is raised again where that was begun.
+/// Calls `function` with the GIL held. An exception of the function ends the run, and is raised again by the
+/// call that started the run.
 template <class Function>
 auto told(const std::string& name, Function function) {
   const py::gil_scoped_acquire lock;
@@ -87,7 +88,7 @@ GainShape shape_of(const std::string& word) {
   throw py::value_error(fmt::format("shape: {}; it must be scalar, task or joints", word));
 }
 
-/// A gain's declaration from a dict with the names of GainDeclaration's fields.
+/// Returns a gain's declaration from a dict, whose keys are the names of GainDeclaration's fields.
 GainDeclaration declared(const py::dict& given) {
   GainDeclaration gain;
   for (const auto& [key, value] : given) {
@@ -121,7 +122,7 @@ GainDeclaration declared(const py::dict& given) {
 void register_python(const std::string& name, const py::function& make, const std::vector<py::dict>& own,
                      const std::vector<std::string>& uses, const std::string& meaning,
                      const py::object& start) {
-  // Kinds live until the process ends, when Python is gone already.
+  // Never freed: kinds of controllers live until the process ends, when Python has ended already.
   const auto* maker = new py::function(make);
   ControllerKind kind;
   kind.name = name;

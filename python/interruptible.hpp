@@ -1,5 +1,6 @@
 #pragma once
-// Long work without Python's lock, which Ctrl-C ends.
+// Runs long work without holding Python's global interpreter lock (GIL), so that other Python threads can
+// run. Ctrl-C ends the work early.
 
 #include <pybind11/pybind11.h>
 
@@ -15,8 +16,8 @@
 
 namespace armtune::internal::python {
 
-/// A Python function that C++ calls from any thread. What it raises ends the work, and is raised again by
-/// `interruptible`.
+/// A Python function, or None, that C++ can call from any thread. If the function raises an exception, the
+/// work ends, and `interruptible` raises the exception again.
 class Callback {
  public:
   explicit Callback(pybind11::object function) : function_(std::move(function)) {}
@@ -43,9 +44,10 @@ class Callback {
   std::optional<pybind11::error_already_set> raised_;
 };
 
-/// Runs task(stop) in a thread of its own and without Python's lock, while this one looks for signals. Ctrl-C
-/// sets `stop`, at which the task has to end soon, and is raised when it has. if_interrupted(what the task
-/// returned) may raise something else before. The end of the interpreter stops it like Ctrl-C.
+/// Runs task(stop) in a thread of its own and without the GIL, while the calling thread checks for signals.
+/// Ctrl-C sets `stop`, after which the task must end soon. KeyboardInterrupt is raised when it has ended.
+/// Before that, if_interrupted is called with the result of the task, and may raise another exception
+/// instead. If the interpreter is about to end, `stop` is set too, and SystemExit is raised.
 template <class Task, class IfInterrupted>
 auto interruptible(Work& work, Callback& callback, Task task, IfInterrupted if_interrupted) {
   constexpr std::chrono::milliseconds kLook{50};

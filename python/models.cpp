@@ -1,4 +1,4 @@
-// Plans, identification and reports.
+// Binds planning, identification, reports and information about armtune.
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>

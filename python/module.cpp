@@ -1,4 +1,4 @@
-// The module _armtune, which the package armtune shows.
+// Defines the module _armtune, whose names the package armtune exports.
 
 #include <pybind11/stl.h>
 
@@ -40,7 +40,7 @@ void issue_warnings(const std::vector<std::string>& sentences) {
   }
 }
 
-/// Text for Python, in which bytes of a path that are not UTF-8 survive; None if it is empty.
+/// Returns a Python string that keeps the bytes of a path that are not UTF-8; None if the text is empty.
 py::object text_or_none(const std::string& text) {
   if (text.empty()) return py::none();
   return py::reinterpret_steal<py::object>(
@@ -56,9 +56,9 @@ void raise_input_error(const InputError& error) {
   PyErr_SetObject(type.ptr(), raised.ptr());
 }
 
-/// InputError, with the place of the error as attributes. What is not known is None.
+/// Binds InputError, with the place of the error as attributes. Unknown attributes are None.
 void bind_input_error(py::module_& module, const py::object& error) {
-  // A ValueError too, as Python has it for what cannot be used as it is.
+  // It is also a ValueError, Python's exception for an argument with an unsuitable value.
   const py::tuple bases = py::make_tuple(error, py::handle(PyExc_ValueError));
   const auto& type = py::register_exception<InputError>(module, "InputError", bases);
   for (const char* name : {"file", "line", "key"}) type.attr(name) = py::none();
@@ -99,7 +99,7 @@ PYBIND11_MODULE(_armtune, module) {
   python::bind_robustness(module);
   python::bind_models(module);
   python::bind_controllers(module);
-  // Objects of one class must not become those of another: "rollout.__class__ = Scenario".
+  // This prevents changes of an object's class, such as "rollout.__class__ = Scenario".
   for (const py::handle item : module.attr("__dict__").attr("values")()) {
     if (py::isinstance<py::type>(item) &&
         !PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(item.ptr()),

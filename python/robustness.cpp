@@ -1,4 +1,4 @@
-// How far gains hold away from what they were made for.
+// Binds the simulation of gains on random arms, and stability margins.
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>

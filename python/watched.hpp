@@ -1,5 +1,6 @@
 #pragma once
-// Functions of the interface that work for long, as Python calls them.
+// Calls long-running functions of the C++ interface from Python. Progress reports and warnings are passed on
+// to Python, and Ctrl-C ends the work early.
 
 #include <string>
 #include <vector>
@@ -9,13 +10,14 @@
 
 namespace armtune::internal::python {
 
-/// Raises armtune.Interrupted, a KeyboardInterrupt whose `result` has what was found.
+/// Raises armtune.Interrupted, a KeyboardInterrupt whose attribute `result` holds the results so far.
 [[noreturn]] void raise_interrupted(pybind11::object result);
 /// Issues each sentence as a Python warning.
 void issue_warnings(const std::vector<std::string>& sentences);
 
-/// Calls run(watch) without Python's lock. progress: a Python function of a Progress, or None. Ctrl-C ends it
-/// early, and raises Interrupted with what it returned.
+/// Calls run(watch) without the GIL and returns its result. progress: a Python function that takes a
+/// Progress, or None. Ctrl-C ends `run` early; Interrupted is then raised with the result that `run`
+/// returned. Warnings are issued when `run` has ended.
 template <class Run>
 auto watched(pybind11::object progress, Run run) {
   Work work;
@@ -36,7 +38,7 @@ auto watched(pybind11::object progress, Run run) {
   } catch (const pybind11::error_already_set&) {
     try {
       issue_warnings(warnings);
-    } catch (const pybind11::error_already_set&) {  // the first one counts
+    } catch (const pybind11::error_already_set&) {  // the exception of `run` is raised
     }
     throw;
   }

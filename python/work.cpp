@@ -12,7 +12,7 @@
 namespace armtune::internal::python {
 namespace {
 
-/// Work of this process. Those of one that was forked from are no more than copies.
+/// The running work of this process. After a fork, entries of the parent process are copies without threads.
 struct Works {
   std::mutex mutex;
   std::vector<Work*> all;
@@ -21,7 +21,7 @@ struct Works {
 };
 
 Works& works() {
-  static auto* const kept = new Works;  // threads outlive static objects
+  static auto* const kept = new Works;  // never freed, because threads outlive static objects
   return *kept;
 }
 

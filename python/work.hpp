@@ -1,16 +1,17 @@
 #pragma once
-// Long work that is under way, and the end of the interpreter. A thread that waits for Python's lock while
-// the interpreter ends is unwound through C++ by force, which aborts the process. A daemon thread in tune()
-// or simulate() therefore has to be out of them before.
+// Keeps a list of the long work that is running, and stops it before the Python interpreter ends. If a thread
+// waits for Python's global interpreter lock (GIL) while the interpreter ends, Python unwinds the thread's
+// C++ stack by force, which aborts the process. A daemon thread must therefore leave functions such as tune()
+// and simulate() before that.
 
 #include <atomic>
 
 namespace armtune::internal::python {
 
-/// One call of a function that works for long. Made and destroyed with Python's lock.
+/// One call of a long-running function. A thread must hold the GIL to create or destroy an object.
 class Work {
  public:
-  /// Throws SystemExit, which ends a thread without a word, if the interpreter is about to end.
+  /// Throws SystemExit if the interpreter is about to end. This ends a thread without a message.
   Work();
   ~Work();
   Work(const Work&) = delete;
@@ -18,12 +19,12 @@ class Work {
 
   std::atomic<bool>& stop() { return stop_; }
   int of_process() const { return process_; }
-  /// True if the interpreter is about to end. Then only `throw_exit` may follow.
+  /// True if the interpreter is about to end. The caller must then call `throw_exit`.
   static bool ends_with_interpreter();
   /// Throws SystemExit.
   [[noreturn]] static void throw_exit();
-  /// Never returns where the interpreter ended without waiting for this work any longer: Python's lock must
-  /// not be asked for again. Called without the lock.
+  /// Never returns if end_all_work has stopped waiting for work to return, since the thread must not request
+  /// the GIL any more. Otherwise it returns at once. Call it without the GIL.
   static void stay_if_abandoned();
 
  private:
@@ -31,8 +32,8 @@ class Work {
   int process_;
 };
 
-/// Stops all work and waits until it has returned, for some seconds at most: a progress function of the
-/// user's may hang. Called with Python's lock when the interpreter is about to end.
+/// Stops all work and waits until it has returned. It waits for some seconds at most, because a progress
+/// function of the user may hang. Called with the GIL when the interpreter is about to end.
 void end_all_work();
 
 }  // namespace armtune::internal::python

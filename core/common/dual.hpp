@@ -14,7 +14,7 @@ struct Dual {
   Eigen::Array<double, N, 1> slope = Eigen::Array<double, N, 1>::Zero();
 
   Dual() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): a constant is a number, too
+  // NOLINTNEXTLINE(google-explicit-constructor): constants convert implicitly
   Dual(double constant) : value(constant) {}
   Dual(double v, const Eigen::Array<double, N, 1>& d) : value(v), slope(d) {}
   /// Returns the variable with value v whose derivative is 1 along direction k.

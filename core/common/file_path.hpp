@@ -5,9 +5,9 @@
 
 namespace armtune::internal {
 
-/// Returns the path without "." and, where that names the same file, without "..". After a symbolic link ".."
-/// is kept: it is the parent of the link's target, not the folder that holds the link. Returns "." for an
-/// empty path.
+/// Returns the path without "." and, if the result still names the same file, without "..". After a symbolic
+/// link ".." is kept, because there it means the parent of the link's target, not the folder that contains
+/// the link. Returns "." for an empty path.
 std::string without_dots(const std::string& path);
 
 /// Returns the simplified path as an absolute path. Throws InputError if the current folder, where relative

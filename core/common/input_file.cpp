@@ -22,15 +22,15 @@ namespace {
 
 using Bytes = std::shared_ptr<const std::string>;
 
-/// By absolute path. Null: nothing is kept.
+/// The contents of files that were read, by absolute path. Null: contents are not recorded.
 std::unique_ptr<std::map<std::string, Bytes>>
     record;               // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 std::mutex record_mutex;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 constexpr std::size_t kBlock = 1U << 20;
 
-/// A file, pipe or device that is read. A stream of the standard library would wait for a pipe through
-/// signals; here one ends the wait.
+/// Reads a file, pipe or device. A signal ends the wait for a pipe; a stream of the standard library would
+/// continue to wait.
 class OpenFile {
  public:
   explicit OpenFile(const std::string& path)
@@ -43,8 +43,8 @@ class OpenFile {
 
   bool is_open() const { return descriptor_ >= 0; }
 
-  /// Waits for bytes and returns their number: 0 at the end, below 0 with errno after a failure, EINTR after
-  /// a signal.
+  /// Waits for bytes and returns their number. Returns 0 at the end, and a negative number with errno after a
+  /// failure (EINTR after a signal).
   ssize_t read(char* to, std::size_t most) const {
     while (true) {
       pollfd wanted{descriptor_, POLLIN, 0};
@@ -73,11 +73,11 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
   if (status.type() == std::filesystem::file_type::regular) {
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);
     if (!ignored && size > max_bytes) refuse_large();
-    if (!ignored) block = static_cast<std::size_t>(size) + 1;  // with one more, its end is seen at once
+    if (!ignored) block = static_cast<std::size_t>(size) + 1;  // not 0, even if the file reports no size
   }
   const OpenFile file(path);
   if (!file.is_open()) refuse("cannot be opened: " + std::generic_category().message(errno));
-  // Block by block, and not by its size: a pipe has none, and a file may grow.
+  // Reads block by block and not by the size: a pipe has no size, and a file may grow.
   std::string text;
   for (std::size_t got = 1; got > 0 && text.size() <= max_bytes; block = kBlock) {
     const std::size_t before = text.size();
@@ -108,7 +108,7 @@ std::string read_input_file(const std::string& path, std::size_t max_bytes, cons
   std::string text = read_file(path, max_bytes, kind);
   const std::lock_guard lock(record_mutex);
   if (!record) return text;
-  // Another thread may have read it meanwhile: one of the two states counts.
+  // Another thread may have recorded the file meanwhile. All callers then get the bytes that it read.
   return *record->try_emplace(absolute_path(path), std::make_shared<const std::string>(std::move(text)))
               .first->second;
 }

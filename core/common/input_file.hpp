@@ -9,14 +9,14 @@
 namespace armtune::internal {
 
 /// Returns the content of the file; pipes and devices are read like files. Throws InputError with the path if
-/// it is missing, is a directory, cannot be opened or read, or holds more than `max_bytes`; reading stops
-/// there. It also throws if a signal interrupts the wait for a pipe. `kind` is the name of the expected
-/// content in messages: "a URDF file".
+/// the file is missing, is a directory, cannot be opened or read, or is larger than `max_bytes`. Reading
+/// stops at that size. Also throws if a signal interrupts the wait for a pipe. `kind` describes the expected
+/// content in messages, for example "a URDF file".
 std::string read_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
 /// Does the same for a file that the user named. While an InputRecord lives, the file is read once and every
 /// later call returns the same bytes. Also throws InputError if the path is not printable (see is_printable),
-/// since run.yaml could not name it.
+/// because run.yaml, the record of a run's inputs, could not name it.
 std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
 /// Keeps the content of the files that read_input_file reads, for as long as it lives. A run then uses and

@@ -1,5 +1,5 @@
 #pragma once
-// A place in a file, for errors.
+// Makes the place in a file that an InputError names.
 
 #include <concepts>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace armtune::internal {
 
-/// Returns a place in the file; line: counted from 1. key: of YAML, or the column of a CSV file.
+/// Returns a place in the file. line: counted from 1. key: a YAML key, or the name of a CSV column.
 inline InputPlace at_line(std::string file, std::integral auto line, std::string key = {}) {
   return {std::move(file), static_cast<long>(line), std::move(key)};
 }

@@ -10,9 +10,9 @@ namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kLongestValue = 60;
-constexpr std::size_t kLongestWord = 4200;  // PATH_MAX and some more
+constexpr std::size_t kLongestWord = 4200;  // slightly above PATH_MAX (4096)
 
-/// The first bytes of a longer text, at most `most` of them, ending with a whole UTF-8 character.
+/// Returns at most the first `most` bytes of a longer text, without a cut inside a UTF-8 character.
 std::string_view beginning(std::string_view text, std::size_t most) {
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
   return text.substr(0, most);

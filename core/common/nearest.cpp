@@ -8,7 +8,7 @@
 namespace armtune::internal {
 namespace {
 
-// Not std::tolower: that one depends on the locale.
+// std::tolower is not used, because it depends on the locale.
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -17,8 +17,9 @@ bool same(char a, char b) {
   return lower(a) == lower(b);
 }
 
+/// Returns the edit distance d of two words, in which a swap of two neighbours counts as one change:
 /// d(i, j) = min{ d(i-1, j) + 1, d(i, j-1) + 1, d(i-1, j-1) + [a_i != b_j],
-///                d(i-2, j-2) + 1 if a_i = b_{j-1} and a_{i-1} = b_j }, three rows at a time.
+///                d(i-2, j-2) + 1 if a_i = b_{j-1} and a_{i-1} = b_j }. Only three rows of d are stored.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -45,10 +46,10 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
   std::string found;
   for (const std::string& candidate : candidates) {
     const std::size_t longer = std::max(word.size(), candidate.size());
-    // The distance is at least the difference in length; this keeps absurdly long words cheap.
+    // The distance is at least the difference in length. The check keeps very long words cheap.
     if (longer - std::min(word.size(), candidate.size()) > limit) continue;
     const std::size_t distance = edit_distance(word, candidate);
-    // A distance of `longer` replaces every letter: 'x' is no misspelling of 'kp'.
+    // At a distance of `longer` every letter differs: 'x' is not a misspelling of 'kp'.
     if (distance < best && (distance < longer || longer == 0)) {
       best = distance;
       found = candidate;

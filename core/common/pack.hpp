@@ -37,7 +37,7 @@ class Pack {
   using Mask = decltype(Register{} < Register{});
 
   Pack() = default;
-  Pack(double x) : v_(x - Register{}) {}  // NOLINT(google-explicit-constructor): as a double would
+  Pack(double x) : v_(x - Register{}) {}  // NOLINT(google-explicit-constructor): doubles convert implicitly
   explicit Pack(const Register& v) : v_(v) {}
 
   const Register& values() const { return v_; }
@@ -70,7 +70,7 @@ Pack<W> select(const typename Pack<W>::Mask& where, const Pack<W>& a, const Pack
 template <int W>
 Pack<W> abs(const Pack<W>& x) {
   using Mask = typename Pack<W>::Mask;
-  constexpr auto kMagnitude = std::numeric_limits<std::int64_t>::max();  // every bit but the sign
+  constexpr auto kMagnitude = std::numeric_limits<std::int64_t>::max();  // every bit except the sign
   return Pack<W>(std::bit_cast<typename Pack<W>::Register>(std::bit_cast<Mask>(x.values()) & kMagnitude));
 }
 template <int W>
@@ -81,7 +81,7 @@ Pack<W> sqrt(const Pack<W>& x) {
 }
 
 /// Computes sin and cos of every entry of x (n). If one angle of an arm is too large for the fast method, the
-/// slow method is used for all angles of that arm, as for the arm alone.
+/// slow method is used for all angles of that arm, as it would be for the arm alone.
 template <int W>
 void sines_and_cosines(const JointVectorT<Pack<W>>& x, JointVectorT<Pack<W>>& sines,
                        JointVectorT<Pack<W>>& cosines) {
@@ -106,7 +106,7 @@ void sines_and_cosines(const JointVectorT<Pack<W>>& x, JointVectorT<Pack<W>>& si
   }
 }
 
-/// Returns e^x of every lane, with the arithmetic that vector_math::exponential has for every width.
+/// Returns e^x of every lane. vector_math::exponential uses the same arithmetic for every width.
 template <int W>
 Pack<W> exp(const Pack<W>& x) {
   return Pack<W>(vector_math::exponential(x.values()));
@@ -134,8 +134,8 @@ struct NumTraits<armtune::internal::Pack<W>> : GenericNumTraits<double> {
 };
 
 namespace internal {
-/// Arrays of packs have the alignment of a pack. The 16 bytes that Eigen would use without AVX are fewer,
-/// which Clang rejects.
+/// Gives arrays of packs the alignment of a pack. Without AVX, Eigen would align them to only 16 bytes, which
+/// Clang rejects.
 template <int W, int Size>
 struct compute_default_alignment<armtune::internal::Pack<W>, Size> {
   enum { value = 0 };

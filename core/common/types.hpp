@@ -7,7 +7,7 @@
 
 namespace armtune::internal {
 
-/// Largest number of joints of a serial arm. The memory of every workspace is laid out for it.
+/// Largest number of joints of a serial arm. Every workspace reserves memory for this number.
 inline constexpr int kMaxJoints = 12;
 /// Inertial parameters per link: mass, first moment (3), inertia about the joint frame (6).
 inline constexpr int kLinkParameters = 10;
@@ -21,19 +21,19 @@ template <typename T>
 using Mat3T = Eigen::Matrix<T, 3, 3>;
 template <typename T>
 using Vec6T = Eigen::Matrix<T, 6, 1>;
-/// One entry per joint (n).
+/// A vector with one entry per joint (n).
 template <typename T>
 using JointVectorT = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, kMaxJoints, 1>;
-/// n x n.
+/// An n x n matrix, such as the mass matrix.
 template <typename T>
 using JointMatrixT = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxJoints, kMaxJoints>;
-/// 6 x n, rows (linear, angular).
+/// A 6 x n Jacobian with the linear rows first, then the angular rows.
 template <typename T>
 using JacobianT = Eigen::Matrix<T, 6, Eigen::Dynamic, 0, 6, kMaxJoints>;
-/// theta: 13 n entries, see core/robot/theta.hpp for their order.
+/// The parameter vector theta: 13 n entries, whose order is given in core/robot/theta.hpp.
 template <typename T>
 using ParameterVectorT = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, kMaxParameters, 1>;
-/// n x 13 n.
+/// The regressor Y (n x 13 n), see core/robot/slotine_li.hpp.
 template <typename T>
 using RegressorT =
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxJoints, kMaxParameters>;

@@ -7,7 +7,7 @@ Utf8Character first_character(std::string_view text) {
   const unsigned first = byte(0);
   if (first < 0x80) return {1, static_cast<char32_t>(first)};
   if (first < 0xC2 || first > 0xF4) return {};
-  // The second byte has a smaller range behind these four.
+  // After these four first bytes, the second byte has a smaller range.
   const unsigned lowest = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
   const unsigned highest = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
   if (byte(1) < lowest || byte(1) > highest) return {};
@@ -26,11 +26,11 @@ bool is_printable(char32_t code) {
   constexpr char32_t kParagraphSeparator = 0x2029;
   constexpr char32_t kByteOrderMark = 0xFEFF;
   if (code == kLineSeparator || code == kParagraphSeparator || code == kByteOrderMark) return false;
-  // These turn the direction of text, so that a name can look like another one (Unicode, report 36).
+  // These change the direction of text, so that a name can look like another one (Unicode, report 36).
   const bool turns = code == 0x61C || code == 0x200E || code == 0x200F ||
                      (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
   if (turns) return false;
-  return (code & 0xFFFEU) != 0xFFFEU;  // the last two of each plane
+  return (code & 0xFFFEU) != 0xFFFEU;  // the last two codes of each plane are not characters
 }
 
 bool is_printable(std::string_view text) {
@@ -49,7 +49,7 @@ std::string as_utf8(std::string_view text) {
     const Utf8Character character = first_character(text);
     if (character.code) {
       out += text.substr(0, character.bytes);
-    } else {  // 0x80 .. 0xFF are U+0080 .. U+00FF in Latin-1
+    } else {  // read as Latin-1, where 0x80 .. 0xFF are U+0080 .. U+00FF
       const auto c = static_cast<unsigned char>(text[0]);
       out += static_cast<char>(0xC0 | (c >> 6));
       out += static_cast<char>(0x80 | (c & 0x3F));

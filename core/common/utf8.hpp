@@ -26,8 +26,8 @@ bool is_printable(char32_t code);
 /// True if every character of the text is printable, which implies that the text is UTF-8.
 bool is_printable(std::string_view text);
 
-/// Returns the text as UTF-8. The text may hold any bytes, as file names may. A byte that is not part of a
-/// UTF-8 character becomes the Latin-1 character with its number, which is what it usually was.
+/// Returns the text as UTF-8. Like a file name, the text may contain any bytes. A byte that is not part of a
+/// UTF-8 character is taken for Latin-1, its usual origin, and becomes that Latin-1 character.
 std::string as_utf8(std::string_view text);
 
 }  // namespace armtune::internal

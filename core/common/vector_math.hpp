@@ -12,7 +12,7 @@ namespace armtune::internal::vector_math {
 /// Two doubles in one register of any x86-64 processor.
 using Double2 = double __attribute__((vector_size(16)));
 
-/// As many 64-bit integers as V has doubles.
+/// A vector of 64-bit integers, as many as V has doubles.
 template <typename V>
 using Bits = decltype(V{} < V{});
 

@@ -9,7 +9,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Waits until the descriptor takes text again; false if it never will.
+/// Waits until the descriptor accepts text again or a signal arrives. Returns false if waiting fails.
 bool becomes_writable(int descriptor) {
   pollfd wanted{descriptor, POLLOUT, 0};
   return ::poll(&wanted, 1, -1) > 0 || errno == EINTR;

@@ -2,16 +2,17 @@
 // Online adaptation of the parameters theta of the controller's arm model (equations 5 and 6 in NOTATION.md):
 //   theta <- theta - gamma Y^T S dt,   S = q' - qr'.
 // The law compensates the arm's dynamics with the torque Y theta, where Y is the regressor of slotine_li.hpp.
+// The scalar type T is double for one arm, or a SIMD type for several arms at once (core/common/pack.hpp).
 //
-// The published law computes Y from the measured motion, Y(q, q', qr', qr''). The noise e of the measured
-// velocities is in S, and through the feedback also in qr'' = ... - Kp e. S and Y are then correlated, so the
-// inertia estimates grow by gamma Kp E[e^2] per second without end. Three options bound theta; the published
-// law has none of them:
+// The published law (NOTATION.md) computes Y from the measured motion, Y(q, q', qr', qr''). S contains the
+// noise e of the measured velocities. Through the feedback, qr'' = ... - Kp e also contains it. S and Y are
+// then correlated, so the inertia estimates grow without end, by gamma Kp E[e^2] per second. Three options
+// bound theta; the published law has none of them:
 //   - Y is computed from the filtered motion (adaptation_filter.hpp), which has hardly any noise.
 //   - Leakage moves theta towards its start values, faster for inertias than for the other parameters. Noise
 //     mainly increases the estimates of inertias, and an overestimated inertia of a light wrist makes the
 //     loop oscillate. Masses and first moments need only slow leakage, because gravity excites them at all
-//     times and wrong estimates are corrected. So theta keeps what was learnt about a payload.
+//     times and wrong estimates are corrected. Theta therefore keeps what was learnt about a payload.
 //   - Projection moves theta to physically valid parameters. It bounds theta from one side only: the cone of
 //     physical parameters has no upper bound.
 
@@ -30,11 +31,12 @@ class AdaptationT {
 
   const ParameterVectorT<T>& theta() const { return theta_; }
   ParameterVectorT<T>& theta() { return theta_; }
-  /// Returns the theta that leakage leads back to.
+  /// Returns the start values of theta, to which leakage moves the estimates back.
   ParameterVectorT<T>& start() { return start_; }
 
   /// Takes one explicit Euler step of length dt [s] for the arms that `where` selects. Y is computed from the
-  /// motion `along`, and S from the motion `measured`; both motions belong to this period.
+  /// motion `along`, and S from the motion `measured`. Both motions must belong to the present control
+  /// period.
   void step(const SlotineLiT<T>& along, const SlotineLiT<T>& measured, const T& gamma, const T& dt,
             const MaskT<T>& where = T(0) < T(1)) {
     slotine_li_gradient(along, measured, gradient_);
@@ -61,7 +63,7 @@ class AdaptationT {
     }
   }
 
-  /// Moves theta to the nearest physically valid one (physical_theta.hpp).
+  /// Moves theta to the nearest physically valid parameters (physical_theta.hpp).
   void project() { project_to_physical(theta_); }
 
  private:

@@ -2,10 +2,11 @@
 // A low-pass filter for the motion from which the adaptive law computes its regressor Y. q', qr' and qr''
 // pass the first-order filter
 //   x <- x + (1 - exp(-2 pi f T)) (measured - x),
-// with the corner frequency f and the control period T. It is needed because noise of the measured velocities
-// is in both Y and S, which makes theta drift (adaptation.hpp). If this noise is white, the filter removes
-// nearly all of it from Y, while S keeps all of it. The filter thereby multiplies the mean product of the
-// noise in Y and the noise in S by 1 - exp(-2 pi f T). This factor is 0.06 at f = 5 Hz and T = 2 ms.
+// with the corner frequency f and the control period T. The filter is needed because noise of the measured
+// velocities is in both Y and S = q' - qr', which makes the parameters theta drift (adaptation.hpp). If this
+// noise is white, the filter removes nearly all of it from Y, while S keeps all of it. The mean product of
+// the noise in Y and the noise in S is thereby multiplied by 1 - exp(-2 pi f T). With f = 5 Hz and T = 2 ms,
+// this factor is 0.06.
 
 #include <cmath>
 #include <type_traits>
@@ -37,12 +38,13 @@ class AdaptationFilterT {
     }
   }
 
-  /// Computes the motion of the bodies, `along`, from the filtered q', qr' and qr'' at the measured poses.
+  /// Computes `along`, the motion of the bodies, from the filtered q', qr' and qr'' at the measured poses.
   void motion(const ChainT<T>& chain, const PosesT<T>& poses, SlotineLiT<T>& along) const {
     slotine_li_forward(chain, poses, qd_, qdr_, qddr_, along);
   }
 
-  /// Resets the filter of one arm to rest. lane: the arm's place in T.
+  /// Resets the filter of one arm to rest. If T is a SIMD type for several arms, lane is the index of the arm
+  /// in it; otherwise lane is not used.
   void rest([[maybe_unused]] int lane) {
     for (JointVectorT<T>* x : {&qd_, &qdr_, &qddr_}) {
       for (Eigen::Index i = 0; i < x->size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// The velocity and acceleration references of the tool in Cartesian control (equation 1 in NOTATION.md). They
-// add feedback of the pose error dx to the desired motion xd:
+// Computes the velocity and acceleration references of the tool in Cartesian control (equation 1 in
+// NOTATION.md). They are the desired motion xd plus feedback of the pose error dx:
 //   xr'  = xd' - Kp dx - Ki int(dx) dt,   xr'' = xd'' - Kp dx' - Ki dx.
 
 #include "core/common/types.hpp"
@@ -30,9 +30,9 @@ inline TaskReference task_reference(const CartesianErrors& x, const Vec6& Kp, co
 }
 
 /// Removes the feedback about the axis z (unit vector, base frame) from the reference, so that only the
-/// desired motion about z remains. This is for a tool that points at a target and may roll freely. Whenever
-/// the tool's axis turns, the integral gets a part about z and commands a roll rate. The roll has no error,
-/// so no feedback would end this roll rate.
+/// desired motion about z remains. Use it for a tool that points at a target and may roll freely about its z
+/// axis. Whenever this axis turns, the integral gets a component about z, and thereby commands a roll rate.
+/// The roll is not part of the error, so no feedback would end this roll rate.
 inline void without_roll_feedback(const CartesianErrors& x, const Vec3& z, TaskReference& reference) {
   reference.rate.tail<3>() -= z * z.dot(reference.rate.tail<3>() - x.desired_rate.tail<3>());
   reference.acceleration.tail<3>() -= z * z.dot(reference.acceleration.tail<3>() - x.desired_accel.tail<3>());

@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-/// The wrist: a slerp lowers Kd of the last three joints.
+/// The wrist consists of the last three joints. Their Kd is scaled during a slerp.
 constexpr int kWristJoints = 3;
 
 MotionPoint<Vec3> path_now(const Scene& scene, double time) {
@@ -86,9 +86,9 @@ void ControlLogic::enter_state(const JointState& measured, const ArmView& arm, c
                                double time) {
   integral_.setZero();
   if (out_.state != ControlState::kReturnToTrajectory) return;
-  // Start from the measured position and velocity and the last reference's acceleration, which is zero at
-  // the end of leaveSingularity's quintic (or the path's, where the joint goal follows the task) and in
-  // avoidObstacles, and the plan's at the end of followPlan.
+  // The return starts from the measured position and velocity, and from the acceleration of the last
+  // reference. That is zero after avoidObstacles and after leaveSingularity, the path's acceleration after
+  // leaveSingularity with a joint goal that follows the task, and the plan's acceleration after followPlan.
   const MotionPoint<Vec3> start{arm.p_0T, arm.twist.head<3>(), out_.desired.acceleration};
   return_ = return_trajectory(start, *scene.path, time, gains_.trajectoryDurationErrorGain);
   if (gains_.velocity_margin > 0.0) {
@@ -107,7 +107,8 @@ void ControlLogic::follow_joint_trajectory(const JointState& measured, const Arm
   MotionPoint<JointVector> goal{goal_, JointVector::Zero(goal_.size()), JointVector::Zero(goal_.size())};
   if (gains_.joint_goal_follows_task) {
     const MotionPoint<Vec3> path = path_now(scene, time);
-    // By way of joint_space_goal, which the arm's user has chosen, so that the first half of the way stays.
+    // The goal moves from joint_space_goal, which the user chose, to the moving goal. The first half of the
+    // motion is therefore nearly the same as to a goal at rest.
     goal = towards(goal_,
                    task_goal_.step(model_->chain, path, aim(scene), damping_, mask_, centering_, period_), s);
     out_.desired.acceleration = path.acceleration;
@@ -123,11 +124,11 @@ void ControlLogic::follow_joint_trajectory(const JointState& measured, const Arm
 void ControlLogic::follow_plan(const JointState& measured, const ArmView& arm, const Scene& scene,
                                double time) {
   out_.planned = scene.plan->at(time);
-  // The torque is held over the period: its acceleration is the period's mean, not that of its beginning.
+  // The torque is constant over the period, so it needs the mean acceleration, not that at the start.
   out_.planned.acceleration = scene.plan->mean_acceleration(time, period_);
   joint_space_references(out_.planned, gains_.joint_space_gains_p, measured.q, measured.qd, out_.reference);
   Kd_ = gains_.joint_space_gains_d;
-  // The tool's acceleration on the plan: what a return that comes next starts with.
+  // A return to the path that follows the plan starts with the tool's acceleration on the plan.
   const MeasuredArm& at = whole(measured, arm);
   Jacobian J_dot;
   tool_jacobian_derivative(model_->chain, at.poses, at.twist, measured.qd, J_dot);
@@ -154,11 +155,11 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   const bool avoiding = out_.state == ControlState::kAvoidObstacles;
   const Eigen::Quaterniond Q_0T(arm.R_0T);
   out_.desired = desired_motion(arm, scene, time);
-  // The line to the target starts at the tool as it is and moves as the tool is meant to, without sensor
-  // noise. Avoiding, nothing says how it is meant to move.
+  // The line to the target starts at the tool's measured position. It moves with the desired velocity, which
+  // has no sensor noise. During avoidance there is no desired velocity, so the measured one is used.
   const MotionPoint<Vec3> tool{arm.p_0T, avoiding ? Vec3(arm.twist.head<3>()) : out_.desired.velocity,
                                out_.desired.acceleration};
-  // By reference: a std::function of that allocates nothing.
+  // Passed by reference below, so that the std::function allocates nothing.
   const auto inverse = [&]() -> const TaskInverse& { return whole(measured, arm).inverse; };
   std::optional<GazeControl::SpeedBound> speed;
   if (gains_.velocity_margin > 0.0)
@@ -170,8 +171,8 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
                 {Q_0T, Vec3::Zero(), Vec3::Zero()}, false, aim(scene).turn(arm.R_0T, arm.p_0T)};
   const bool rolls = scene.orientation == nullptr && roll_.is_on();
   if (rolls) {
-    // Only a slerp from a frozen start keeps the roll of its beginning: one from the current orientation
-    // restarts in every period.
+    // A slerp from a frozen start would keep the roll at its start. A slerp from the current orientation
+    // restarts in every period, so it follows the roll by itself.
     const bool frozen_start = gaze.slerping && gains_.slerp_reference == SlerpReference::kStart;
     roll_.step(measured.q, period_, frozen_start);
     roll_.add_to(gaze.desired);
@@ -180,19 +181,20 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   out_.desired_gaze = gaze.desired;
   out_.gaze_turn = gaze.turn;
 
-  // The integral stays empty while a slerp runs: it would wind up on an error that is meant to be there.
+  // The integral stays zero during a slerp, because it would wind up on an error that is intended.
   if (gaze.slerping) integral_.setZero();
   CartesianErrors& x = out_.errors;
   const TrackingError error = tracking_error(arm.R_0T, arm.p_0T, arm.twist, out_, gaze.turn, mask_);
   x.pose = error.pose;
   x.desired_rate << out_.desired.velocity, gaze.desired.angular_velocity;
   x.desired_accel << out_.desired.acceleration, gaze.desired.angular_acceleration;
-  // No position control while avoiding, so that the repulsion meets damping only.
+  // During avoidance there is no position control: the position errors are zero, and only damping resists
+  // the repulsion.
   x.rate = error.rate;
   x.integral = integral_;
 
   Vec6 Kp = gains_.task_space_gains_p;
-  // A law without a Kd of the task's has that of the joint space law, which the barrier is a multiple of.
+  // A law without task_space_gains_d gets Kd of the joint space law: the barrier is a multiple of Kd.
   Kd_ = gains_.task_space_gains_d.size() > 0 ? gains_.task_space_gains_d : gains_.joint_space_gains_d;
   if (gaze.slerping) {
     Kp.tail<3>() *= gains_.interpolation_gain_scale;
@@ -202,7 +204,7 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   if (rolls && !gaze.slerping) without_roll_feedback(x, arm.R_0T.col(2), task_reference_);
 }
 
-// A plan keeps its own velocity limits, and what it meets (a moving path, a target) waits for nobody.
+// A plan keeps the velocity limits by itself, and the moving path or target that it meets does not wait.
 bool ControlLogic::keeps_pace() const {
   return gains_.velocity_margin > 0.0 && out_.state != ControlState::kFollowPlan;
 }
@@ -215,7 +217,7 @@ void ControlLogic::keep_pace(const Scene& scene, double time) {
   if (out_.pace == 1.0 || !interpolating) return;
   const double delay = (1.0 - out_.pace) * period_;
   if (returning) {
-    // The path does not wait: plan the rest of the way anew, to where it will be by then.
+    // The path does not wait, so the rest of the return is replanned to where the path will be at its end.
     const double done = time - lag_ - return_start_;
     const double rest = return_.duration() - done;
     if (rest > kShortestInterpolation) {
@@ -234,7 +236,7 @@ void ControlLogic::limit_torque(const JointState& measured, const ArmView& arm, 
   } else {
     bypassing_.setZero(model_->n());
   }
-  // The barrier is for torques that no planner has weighed: to a plan near its limits it would be a brake.
+  // The barrier is for motion that no planner has limited. It would brake a plan near its velocity limits.
   const bool barred = gains_.velocity_barrier_gain > 0.0 && out_.state != ControlState::kFollowPlan;
   if (avoiding || barred) {
     add_behind_barrier(measured.qd, velocity_limits_, gains_.velocity_barrier_start,
@@ -245,7 +247,7 @@ void ControlLogic::limit_torque(const JointState& measured, const ArmView& arm, 
 }
 
 bool ControlLogic::conclude() {
-  // Integral and theta stand still while a joint is saturated: its error is not the law's doing.
+  // Integral and theta are frozen while a torque is saturated, because the law did not cause that error.
   if (out_.saturated) return false;
   if (!out_.slerping) integral_ += period_ * out_.errors.pose;
   return out_.state != ControlState::kAvoidObstacles || gains_.adapt_while_avoiding;

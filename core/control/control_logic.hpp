@@ -1,8 +1,8 @@
 #pragma once
 // Makes the decisions of a controller in every control period: its state, the motion that it tracks, its
-// gains, its pace along the path and its limits. Decisions are made for each arm separately. The numerical
-// work between the decisions does not depend on them. It can therefore be done for one arm or for several at
-// once.
+// gains, how far references that are too fast are slowed down, and the limits of its torques. The decisions
+// are made for each arm separately. The numerical work between them is done elsewhere: for one arm in
+// core/control/laws/controller.hpp, and for several arms at once in sim/lanes.
 
 #include <memory>
 #include <optional>
@@ -25,7 +25,7 @@ struct ArmView {
   double manipulability = 0.0;
   bool damped = false;
   double obstacle_distance = 0.0;  ///< [m], infinite without obstacles
-  /// The complete measured arm; null: computed from the joints when a decision needs it.
+  /// The complete measured arm. If null, it is computed from the joints when a decision needs it.
   const MeasuredArm* whole = nullptr;
 };
 
@@ -53,8 +53,8 @@ class ControlLogic {
   /// Third step, after the law's torque is in ControlOutput::commanded: adds the repulsion of obstacles and
   /// the torque of the velocity barrier, and applies the effort limits.
   void limit_torque(const JointState& measured, const ArmView& arm, const Scene& scene);
-  /// Last step: advances the integral unless a joint is saturated. Returns true if the law may adapt its
-  /// model now.
+  /// Last step: advances the integral of the pose error, unless a joint is saturated or a slerp is under way.
+  /// Returns true if the law may adapt its model now.
   bool conclude();
 
   const ControlOutput& output() const { return out_; }

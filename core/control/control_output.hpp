@@ -24,12 +24,12 @@ struct Scene {
   const Path* path = nullptr;  ///< the tool's path over simulated time
   MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< the active gaze target [m]
   std::span<const Obstacle> obstacles;
-  /// Planned joint motion over simulated time, which is followed first. Null: the state leaveSingularity
-  /// comes first. The plan is the same in every period.
+  /// Planned joint motion over simulated time, which the controller follows first. If null, the controller
+  /// starts in the state leaveSingularity instead. The plan is the same in every period.
   const JointSpline* plan = nullptr;
-  /// The path's motion at this time, if it has been computed already; null: not yet.
+  /// The path's motion at this time if it has been computed already, else null.
   const MotionPoint<Vec3>* on_path = nullptr;
-  /// Wanted orientation of the tool, in place of a gaze at the target. Null: the tool points at the target.
+  /// Desired orientation of the tool. If null, the tool points at the target instead (the gaze).
   const OrientationPoint* orientation = nullptr;
 };
 
@@ -50,7 +50,7 @@ struct ControlOutput {
   double manipulability = 0.0;
   bool damped = false;
   double obstacle_distance = 0.0;  ///< [m], infinite without obstacles
-  double pace = 1.0;               ///< sigma of the velocity governor: rate of the interpolations' time
+  double pace = 1.0;               ///< rate sigma at which the governor lets interpolation time run
 };
 
 }  // namespace armtune::internal

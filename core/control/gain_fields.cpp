@@ -7,7 +7,7 @@
 namespace armtune::internal {
 namespace {
 
-/// A number in 0 .. 1, 1 excluded, that a gains file may leave out.
+/// Returns the field of a number from 0 to below 1, which a gains file may leave out.
 GainField share(const char* name, const char* meaning, double Gains::*member) {
   GainField field{name, "1", meaning, member, false};
   field.below = 1.0;

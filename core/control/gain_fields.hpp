@@ -13,24 +13,25 @@
 
 namespace armtune::internal {
 
-/// The range in which a gain is searched if a study gives none.
+/// The range in which a gain is searched if the study (the file that describes a search) gives none.
 enum class SearchRange {
-  kNone,    ///< not tuned unless a study names it
-  kFactor,  ///< lower_factor .. upper_factor times the start, on a log scale
+  kNone,    ///< not tuned unless the study names it
+  kFactor,  ///< lower_factor .. upper_factor times the start value, on a log scale
   /// For Ki: 0 .. Kp^2/4, on a linear scale, with the Kp of the same axis. With a larger Ki, the error e of
   /// e'' + Kp e' + Ki e = 0 oscillates.
   kCriticalDamping
 };
 
-/// How a factor on the gain of the control loop changes a gain, for the gain margin.
+/// The effect on a gain if the gain of the control loop is multiplied by a factor. The gain margin is found
+/// by such factors.
 enum class LoopGain : unsigned char {
-  kNone,    ///< not at all
-  kFactor,  ///< multiplies it by the factor
-  kRoot     ///< multiplies it by the root of the factor, as a damping ratio beside a stiffness
+  kNone,    ///< the gain is unchanged
+  kFactor,  ///< the gain is multiplied by the factor
+  kRoot     ///< the gain is multiplied by the factor's square root, which suits a damping ratio
 };
 
-/// The number of values of a gain that only one kind of controller has: one, six of the task
-/// (x y z rx ry rz), or one per joint.
+/// The number of values of a gain that only one kind of controller has: one, six for the task (x y z rx ry
+/// rz), or one per joint.
 enum class GainShape { kScalar, kTask, kJoints };
 
 /// A gain that only one kind of controller has, stored in Gains::own[place].
@@ -58,17 +59,18 @@ struct GainField {
   /// it. Gains of states, references and limits belong to every controller.
   bool of_law = false;
   LoopGain loop = LoopGain::kNone;
-  /// Default of each value of a gain that only one kind has, if a gains file does not give it.
+  /// Default of each value, for gains that only one kind of controller has, if a gains file gives none.
   double otherwise = 0.0;
 
   bool is_number() const { return member.index() <= 4; }
 };
 
-/// Returns the fields of the members of Gains, in the order of files. For the gains of one controller see
-/// fields_of (core/control/laws/controller_kind.hpp).
+/// Returns the fields of the members of Gains, in the order of gains files. For the gains of one controller
+/// see fields_of (core/control/laws/controller_kind.hpp).
 const std::vector<GainField>& gain_fields();
 
-/// Returns the values of a field: 1, 6, n or n x n (ForceGains) of them; empty for switches.
+/// Returns the values of a field: 1, 6, n or, for ForceGains, n or n x n values. The result is empty for
+/// switches and choices (bool, SlerpReference).
 std::span<double> numbers(Gains& gains, const GainField& field);
 std::span<const double> numbers(const Gains& gains, const GainField& field);
 
@@ -77,8 +79,9 @@ Eigen::Index size_of(GainShape shape, int n);
 
 /// Returns the names of a field's values: "" for a scalar, "x".."rz" for six, joint names for joint vectors.
 std::vector<std::string> component_names(const GainField& field, const std::vector<std::string>& joints);
-/// Returns the names of the values that the field has in `gains`. They differ from the above only for force
-/// points with a gain for each joint: the names are then "point/joint", where both parts are joint names.
+/// Returns the names of the values that the field has in `gains`. They differ from the names above only if
+/// force_control_gains has one value per force point and joint. The names are then "point/joint", where both
+/// parts are joint names.
 std::vector<std::string> component_names(const Gains& gains, const GainField& field,
                                          const std::vector<std::string>& joints);
 

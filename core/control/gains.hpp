@@ -11,8 +11,9 @@
 
 namespace armtune::internal {
 
-/// The orientation from which a slerp interpolates. kStart: the tool's orientation at the start of the slerp.
-/// kCurrent: its present orientation, as in the code of the published controller.
+/// The orientation from which a slerp (spherical linear interpolation) turns the tool to its goal. kStart:
+/// the tool's orientation at the start of the slerp. kCurrent: its present orientation, as in the code of the
+/// published controller.
 enum class SlerpReference { kStart, kCurrent };
 
 /// The gains of a controller. core/control/gain_fields.cpp declares unit and meaning of every field. Gains

@@ -46,7 +46,7 @@ GazeControl::Output GazeControl::next(const Gains& gains, const Mat3& R_0T, cons
   if (gains.slerp_reference == SlerpReference::kCurrent) {
     return {interpolated(gains, R_0T, Q_0T, tool, aim, time), true, turn};
   }
-  // The goal moves with target and tool: the turn is computed anew, but always from the frozen start.
+  // The goal moves with target and tool. The turn is therefore updated, but always from the frozen start.
   return {interpolated(gains, R_start_, Q_start_, tool, aim, time), true, turn};
 }
 

@@ -1,12 +1,14 @@
 #pragma once
-// Computes the reference orientation of a tool that points at a target, the gaze (equation 7 in NOTATION.md).
-// While the angle to the goal orientation is below a threshold, the reference is the goal orientation itself.
-// At a larger angle a slerp starts. Its parameter is a quintic with a duration of k_s times the angle.
+// Computes the reference orientation of a tool that points at a target. This pointing is called the gaze
+// (equation 7 in NOTATION.md). While the angle to the goal orientation is below a threshold, the reference is
+// the goal orientation itself. At a larger angle a spherical linear interpolation (slerp) to the goal starts.
+// Its parameter is a quintic polynomial in time, whose duration is k_s (the gain slerpDurationErrorGain)
+// times the angle.
 //
 // Without gaze feed-forward, as published, the desired angular velocity is zero outside slerps. With gaze
-// feed-forward, it is that of the line from tool to target. A slerp with SlerpReference::kStart then starts
-// with the angular velocity that the desired orientation had before. If it started at rest, the desired
-// velocity would jump, and Kd would turn that jump into a torque.
+// feed-forward, it is the angular velocity of the line from tool to target. A slerp with
+// SlerpReference::kStart then starts with the angular velocity that the desired orientation had before. If it
+// started at rest, the desired velocity would jump, and Kd would turn that jump into a torque.
 //
 // An orientation that is given in place of a target is tracked in the same way. The angular velocity and
 // acceleration of a slerp are exact with SlerpReference::kStart. With kCurrent they ignore that the current
@@ -33,9 +35,9 @@ class GazeControl {
     Vec3 turn = Vec3::Zero();  ///< from the measured tool to its aim
   };
 
-  /// Bounds on the joint velocities during a slerp. The duration of a slerp is extended until its
-  /// interpolation keeps them. The motion with which the slerp starts is not counted here; the velocity
-  /// governor limits the sum of both.
+  /// Bounds on the joint velocities during a slerp. The slerp is made long enough for its interpolation to
+  /// keep within them. The motion with which the slerp starts is not counted here; the velocity governor
+  /// limits the sum of both.
   struct SpeedBound {
     std::function<const TaskInverse&()> inverse;  ///< of the present Jacobian; called when a slerp starts
     const JointVector& bound;                     ///< (n) [rad/s, m/s]

@@ -1,5 +1,6 @@
 #pragma once
-// Null-space motion: it moves the joints towards the middle of their limits without disturbing the task,
+// Computes a null-space motion, which moves the joints towards the middle of their limits without disturbing
+// the task,
 //   z = -k (q - middle).
 
 #include "core/robot/robot_model.hpp"

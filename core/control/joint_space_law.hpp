@@ -1,6 +1,6 @@
 #pragma once
-// The velocity and acceleration references of the joints when the controller tracks a joint motion, with the
-// desired positions qd:
+// Computes the velocity and acceleration references of the joints for a controller that tracks a joint
+// motion, with the desired positions qd:
 //   qr' = qd' - Kp (q - qd),   qr'' = qd'' - Kp (q' - qd').
 // The motion is a quintic from the start pose to the goal (state leaveSingularity) or a planned trajectory
 // (state followPlan).

@@ -19,7 +19,7 @@ struct MeasuredArmT {
   MeasuredArmT(const MeasuredArmT&) = delete;  // the inverse refers to this J
   MeasuredArmT& operator=(const MeasuredArmT&) = delete;
 
-  /// Computes everything but J_dot at q, q' (n).
+  /// Computes everything except J_dot at q, q' (n).
   void measure(const ChainT<T>& chain, const JointVectorT<T>& q, const JointVectorT<T>& qd,
                const InverseDampingT<T>& damping, TaskMask mask) {
     forward_kinematics(chain, q, poses);
@@ -27,6 +27,7 @@ struct MeasuredArmT {
     twist = times(J, qd);
     inverse.compute(J, damping, mask, poses.R_0T);
   }
+  /// Computes J_dot. measure() must have been called with the same q, q'.
   void differentiate(const ChainT<T>& chain, const JointVectorT<T>& qd) {
     tool_jacobian_derivative(chain, poses, twist, qd, J_dot);
   }

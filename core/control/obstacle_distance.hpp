@@ -1,11 +1,12 @@
 #pragma once
-// Distances between an arm and the obstacles. There are two:
+// Computes two distances between an arm and the obstacles:
 //   - obstacle_distance is the distance that the published controller uses. It counts the joint origins, and
 //     not the tool.
-//   - clearance is how close the arm really comes. It counts the tool tip as well.
-// In a chain with link_radius, every link is a capsule. Its axis leads from its joint's origin to the next
-// joint's origin, or to the tool for the last link. Both distances are then measured from the surface of the
-// nearest capsule. Distances are negative if arm and obstacle overlap, and infinite without obstacles.
+//   - clearance is the distance that metrics and recordings use. It counts the tool tip as well.
+// If the chain has link_radius, every link is a capsule. The axis of a capsule leads from the origin of the
+// link's joint to the next joint's origin, or to the tool for the last link. Both distances are then measured
+// from the surface of the nearest capsule. Distances are negative if arm and obstacle overlap, and infinite
+// without obstacles.
 
 #include <cmath>
 #include <limits>
@@ -31,8 +32,8 @@ Vec3T<T> nearest_on_link(const PosesT<T>& poses, int i, const Vec3T<T>& p) {
   return from + share * line;
 }
 
-/// Returns the distance that the controller uses [m]: the smallest from any joint origin, or any link's
-/// surface, to any obstacle's surface.
+/// Returns the distance that the controller uses [m]. It is the smallest distance between an obstacle's
+/// surface and a joint origin, or a link's surface if the chain has link_radius.
 template <typename T>
 T obstacle_distance(const ChainT<T>& chain, const PosesT<T>& poses, std::span<const ObstacleT<T>> obstacles) {
   using std::sqrt;
@@ -64,9 +65,9 @@ inline double obstacle_distance(const Chain& chain, const Poses& poses, std::spa
   return obstacle_distance<double>(chain, poses, obstacles);
 }
 
-/// Returns the arm's clearance [m]: the smaller one of acted_on and the distance of the tool tip. acted_on:
-/// obstacle_distance of the same arm and obstacles. For a chain with link_radius, acted_on is the clearance
-/// already, since the last link ends at the tool.
+/// Returns the arm's clearance [m], which is the smaller of acted_on and the distance of the tool tip.
+/// acted_on: obstacle_distance of the same arm and obstacles. For a chain with link_radius, acted_on is the
+/// clearance already, since the last link ends at the tool.
 template <typename T>
 T clearance(const ChainT<T>& chain, const PosesT<T>& poses, std::span<const ObstacleT<T>> obstacles,
             const T& acted_on) {

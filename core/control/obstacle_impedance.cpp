@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kAvoidingJoints = 3;
 
-/// Adds k_f,i * (J^T f) of a repulsion f (at most 1 long) on a point p of body i.
+/// Adds the joint torques k_f,i J^T f of a repulsion f (length at most 1) at point p of body i.
 void add_force(const Chain& chain, const Poses& poses, int i, const Vec3& p, const Vec3& f,
                const ForceGains& gains, Jacobian& J, JointVector& tau) {
   point_jacobian(chain, poses, i, p, J);
@@ -21,7 +21,7 @@ void add_force(const Chain& chain, const Poses& poses, int i, const Vec3& p, con
     tau.head(avoiding) += J_p.transpose() * force;
     return;
   }
-  // One product for each joint, so that n equal gains have the bits of one number.
+  // One product for each joint, so that n equal gains and one number give bit-identical torques.
   for (int j = 0; j < avoiding; ++j) {
     const Vec3 force = force_gain(gains, chain.n, i, j) * f;
     const JointVector torque = J_p.transpose() * force;
@@ -29,8 +29,8 @@ void add_force(const Chain& chain, const Poses& poses, int i, const Vec3& p, con
   }
 }
 
-/// Adds what a force on point p of link i does to the next joint, where that slides and draws the link out: p
-/// goes along with it by its share of the length.
+/// Adds the force of the next joint due to a force at point p of link i, if that joint is prismatic and
+/// lengthens the link. The point moves with the joint by its share of the link's length.
 void add_drawing_out(const Chain& chain, const Poses& poses, int i, const Vec3& p, const Vec3& f,
                      const ForceGains& gains, JointVector& tau) {
   const int next = i + 1;
@@ -48,7 +48,7 @@ Vec3 repulsion(const Vec3& d, double influence_radius, double inside) {
   const double length = d.norm();
   const double distance = length - inside;
   if (!(distance < influence_radius)) return Vec3::Zero();
-  // At the centre itself no direction is better than another; the base's z keeps the torque finite.
+  // At the centre of the obstacle no direction is preferred; the base's z axis keeps the torque finite.
   if (!(length > 0.0)) return Vec3::UnitZ();
   const double depth = 1.0 - std::max(0.0, distance) / influence_radius;
   return (depth * depth / length) * d;

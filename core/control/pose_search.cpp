@@ -16,11 +16,12 @@ namespace {
 constexpr unsigned kStarts = 30;
 constexpr int kSteps = 200;
 constexpr double kReached = 1e-9;     // m and rad
-constexpr double kLongestStep = 0.3;  // rad, m, of any joint
+constexpr double kLongestStep = 0.3;  // rad or m, largest step of any joint
 constexpr double kDamping = 1e-6;
 
-/// Of a turning joint's range the part within half a turn of zero; where that is the smaller part of it, a
-/// turn from its lower limit on.
+/// Returns the range from which positions of a joint are drawn. For a revolute joint this is the part of its
+/// range within half a turn of zero. If that is less than half of the range or of a turn, positions are drawn
+/// from the lower limit on, over at most one turn.
 std::pair<double, double> sampled_range(const RobotModel& robot, int joint) {
   const auto k = static_cast<std::size_t>(joint);
   const JointLimits& limits = robot.joints[k].limits;
@@ -48,7 +49,7 @@ bool reach_goal(const RobotModel& robot, const ToolGoal& goal, JointVector& q) {
       error.tail<3>() = rotation_log(*goal.orientation * Eigen::Quaterniond(poses.R_0T).conjugate());
     if (error.norm() < kReached) return tightest_joint(robot, q).margin >= 0.0;
     if (goal.target) {
-      // The shortest turn has no part about tool z: J along it is left out, or it would hold the roll.
+      // The shortest turn has no part about tool z. J's part along z is removed, or it would fix the roll.
       const Vec3 z = poses.R_0T.col(2);
       J.bottomRows<3>() -= z * (z.transpose() * J.bottomRows<3>());
     } else if (!goal.orientation) {
@@ -81,7 +82,7 @@ std::optional<JointVector> best_pose(const RobotModel& robot, const ToolGoal& go
 }
 
 JointVector sample_position(const RobotModel& robot, unsigned sample) {
-  std::mt19937 generator(sample);  // its number names the sample
+  std::mt19937 generator(sample);  // the number of the sample is the seed
   JointVector q(robot.n());
   for (int i = 0; i < robot.n(); ++i) {
     const auto [lower, upper] = sampled_range(robot, i);

@@ -6,9 +6,9 @@
 namespace armtune::internal {
 namespace {
 
-/// Share of the last joint's velocity limit that the roll may take.
+/// Share of the last joint's velocity limit that the roll may use.
 constexpr double kShareOfVelocity = 0.1;
-/// A joint's axis counts as the tool's z axis within 2.5 degrees.
+/// Cosine of the angle (2.5 degrees) within which the joint's axis counts as parallel to the tool's z axis.
 constexpr double kParallel = 0.999;
 constexpr double kLongestTimeConstant = 1.0;  // s
 

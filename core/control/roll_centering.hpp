@@ -1,15 +1,18 @@
 #pragma once
-// Roll control of a tool that points at a target (the gaze). The gaze fixes where the tool's z axis points
-// and leaves the turn about it, the roll, free. Without control the roll drifts: after closed laps of tool
-// and target the joints do not return to where they were, and the last joint winds up until it reaches its
-// position limit. RollCentering turns the tool about its z axis so that the last joint returns to the middle
-// of its limits.
+// Controls the roll of a tool that points at a target (the gaze). The gaze fixes the direction of the tool's
+// z axis and leaves the turn about it, the roll, free. Without control the roll drifts: after closed laps of
+// tool and target the joints do not return to where they were, and the last joint winds up until it reaches
+// its position limit. RollCentering turns the tool about its z axis so that the last joint returns to the
+// middle of its limits.
 //
-// Where the last joint turns about the tool's z axis, a roll moves that joint alone: q_n' = c rho, with the
-// roll rate rho and c = +1 or -1 by the direction of the joint's axis. With m the middle of the limits,
+// If the last joint turns about the tool's z axis, a roll moves that joint alone: q_n' = c rho, where rho is
+// the roll rate, and c is +1 or -1 depending on the direction of the joint's axis. The roll rate follows a
+// desired rate rho*,
 //   rho* = -c v tanh(k (q_n - m) / v),   rho' = (rho* - rho) / T,
-// so that rho never exceeds v and never jumps. T = min(1 s, 1 / (4 k)) prevents q_n from overshooting the
-// middle: for small offsets q_n follows T s^2 + s + k = 0, whose roots are real for 4 k T <= 1.
+// where m is the middle of the limits, k the gain, and v a tenth of the joint's velocity limit. rho therefore
+// never exceeds v and never jumps. T = min(1 s, 1 / (4 k)) prevents q_n from overshooting the middle: for
+// small offsets, the dynamics of q_n have the characteristic equation T s^2 + s + k = 0, whose roots are real
+// for 4 k T <= 1.
 
 #include "core/control/task_mask.hpp"
 #include "core/robot/robot_model.hpp"

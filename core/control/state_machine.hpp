@@ -4,11 +4,11 @@
 namespace armtune::internal {
 
 enum class ControlState {
-  kLeaveSingularity,
-  kReturnToTrajectory,
-  kFollowTrajectory,
-  kAvoidObstacles,
-  kFollowPlan
+  kLeaveSingularity,    ///< moves the joints from the start pose to a goal, away from singularities
+  kReturnToTrajectory,  ///< moves the tool back to its path
+  kFollowTrajectory,    ///< follows the path with the tool
+  kAvoidObstacles,      ///< lets the repulsion of obstacles move the arm
+  kFollowPlan           ///< follows a planned joint trajectory
 };
 
 constexpr const char* name(ControlState state) {
@@ -40,15 +40,16 @@ constexpr bool tracks_joints(ControlState state) {
 struct TransitionInput {
   bool joint_trajectory_finished = false;  ///< true after joint_trajectory_duration
   bool return_finished = false;            ///< true if the return trajectory has reached the path
-  double obstacle_distance = 0.0;  ///< distance to the closest joint origin or link [m], infinite if none
-  double influence_radius = 0.0;   ///< r_o [m]
-  double release_radius = 0.0;     ///< >= r_o [m]
-  bool plan_finished = false;      ///< true if the planned trajectory is over
+  double obstacle_distance = 0.0;          ///< see obstacle_distance.hpp [m]; infinite without obstacles
+  double influence_radius = 0.0;           ///< r_o [m]
+  double release_radius = 0.0;             ///< >= r_o [m]
+  bool plan_finished = false;              ///< true if the planned trajectory is over
 };
 
-/// Returns the state of this period from that of the last one. leaveSingularity is not interrupted: the
-/// Cartesian law that avoidObstacles needs cannot be used near the start pose's singularity. followPlan can
-/// be interrupted, and is not resumed: the arm was pushed away from the plan, and the plan's time has passed.
+/// Returns the state of this period from that of the last one. leaveSingularity is not interrupted, because
+/// the Cartesian law that avoidObstacles needs cannot be used near the singularity of the start pose.
+/// followPlan can be interrupted. It is not resumed, because the arm was pushed away from the plan and the
+/// plan's time has passed.
 constexpr ControlState next_state(ControlState state, const TransitionInput& in) {
   if (state == ControlState::kLeaveSingularity) {
     return in.joint_trajectory_finished ? ControlState::kReturnToTrajectory : state;

@@ -3,7 +3,7 @@
 namespace armtune::internal {
 namespace {
 
-/// K [1/s]: an error at the start is 2e-8 of itself after the 6 s of leaveSingularity.
+/// Gain K [1/s]: after the 6 s of leaveSingularity, an initial error has decayed to 2e-8 of its value.
 constexpr double kTaskGoalGain = 3.0;
 
 }  // namespace
@@ -13,7 +13,7 @@ const MotionPoint<JointVector>& TaskGoal::step(const Chain& chain, const MotionP
                                                TaskMask mask, const JointCentering& centering, double dt,
                                                RollCentering* roll) {
   motion_.position += step_;
-  // Not measure(): the twist is that of the velocity still to be found.
+  // Not measure(), because the velocity, which determines the twist, is not known yet.
   Poses& poses = arm_.poses;
   forward_kinematics(chain, motion_.position, poses);
   tool_jacobian(chain, poses, arm_.J);

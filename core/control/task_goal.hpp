@@ -1,8 +1,9 @@
 #pragma once
-// Without a planned trajectory the controller starts in the state leaveSingularity, which moves the joints to
-// a goal. This file computes a moving goal: the joint motion of an imaginary arm that already follows the
-// tool's path and desired orientation. With it, the arm moves along the task's path when leaveSingularity
-// ends. Without it, the state ends at rest, at a pose that is the same for every task.
+// Computes a moving goal for the state leaveSingularity. Without a planned trajectory the controller starts
+// in this state, which moves the joints to a goal. The moving goal is the joint motion of an imaginary arm
+// that already follows the tool's path and desired orientation. With it, the arm moves along the task's path
+// when leaveSingularity ends. With a fixed goal instead, the state ends at rest, at a pose that is the same
+// for every task.
 //
 // The goal is computed by closed-loop inverse kinematics (Siciliano et al., Robotics: Modelling, Planning and
 // Control, section 3.7). The joint positions q of the imaginary arm are integrated from the start:

@@ -1,9 +1,9 @@
 #pragma once
-// The inverse J+ of the tool's Jacobian J. It is damped if the manipulability m = sqrt(det(J J^T)) is below a
-// threshold (equations 3 and 4 in NOTATION.md):
+// Computes the inverse J+ of the tool's Jacobian J. The inverse is damped if the manipulability m =
+// sqrt(det(J J^T)) is below a threshold (equations 3 and 4 in NOTATION.md):
 //   - m at or above the threshold: J+ = J^-1 with six joints, and J+ = J^T (J J^T)^-1 with more.
 //   - m below the threshold: J+ = J^T (J J^T + psi I)^-1, where psi is the damping.
-// For a task with fewer components (core/control/task_mask.hpp) J stands for E J. The matrix E selects the
+// For a task with fewer components (core/control/task_mask.hpp), E J replaces J. The matrix E selects the
 // components of the task: the three linear ones, or these and the angular ones about the tool's x and y axes.
 
 #include "core/common/cholesky6.hpp"
@@ -17,9 +17,9 @@ namespace armtune::internal {
 template <typename T>
 class TaskInverseT {
  public:
-  /// Factorises once for all right-hand sides of a control period. J (6 x n) is not copied and must remain
-  /// valid. With fewer joints than task components, J J^T is always singular. The inverse is then always
-  /// damped with the full psi, and m = sqrt(det(J^T J)). R_0T: orientation of the tool.
+  /// Factorises the matrices once for all right-hand sides of a control period. J (6 x n) is not copied and
+  /// must remain valid. With fewer joints than task components, J J^T is always singular. The inverse is then
+  /// always damped with the full psi, and m = sqrt(det(J^T J)). R_0T: orientation of the tool.
   void compute(const JacobianT<T>& J, const InverseDampingT<T>& damping, TaskMask mask = TaskMask::kPose,
                const Mat3T<T>& R_0T = Mat3T<T>::Identity()) {
     J_ = &J;

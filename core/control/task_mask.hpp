@@ -6,7 +6,7 @@ namespace armtune::internal {
 
 enum class TaskMask {
   kPose,             ///< position and orientation
-  kPositionAndAxis,  ///< position and the direction of the tool's z axis: the turn about it is free
+  kPositionAndAxis,  ///< position and direction of the tool's z axis; the turn about this axis is free
   kPosition          ///< position only
 };
 

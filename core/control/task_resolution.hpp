@@ -2,14 +2,15 @@
 // Computes the references of the joints from those of the tool (equation 2 in NOTATION.md):
 //   qr' = J+ xr',   qr'' = J+ (xr'' - J' qr').
 //
-// With more joints than task components, many joint motions fulfil the task. Of these motions, the references
-// are the one closest to a motion z that moves the joints towards the middle of their position limits
-// (Liegeois, Automatic supervisory control of the configuration and behavior of multibody mechanisms, 1977):
+// With more joints than task components, many joint motions fulfil the task. The references are the one of
+// these motions that is closest to a motion z, which moves the joints towards the middle of their position
+// limits (Liegeois, Automatic supervisory control of the configuration and behavior of multibody mechanisms,
+// 1977):
 //   qr' = z + J^T L,   L = (J J^T)^-1 (xr' - J z),   z = -k (q - middle).
 // qr'' is the derivative of qr' along the motion:
 //   qr'' = y + J^T (J J^T)^-1 (xr'' - J' qr' - J y),   y = z' + J'^T L.
 //
-// For a task with fewer components (task_mask.hpp), E J stands in place of J, where the matrix E selects the
+// For a task with fewer components (task_mask.hpp), E J replaces J, where the matrix E selects the
 // components. If E turns with the tool, its derivative E' adds J^T (0, w x L) to y and subtracts (0, w x r)
 // from xr''. Here w is the tool's angular velocity, and r = xr' - J qr' is the part of xr' that is not in the
 // task.
@@ -30,7 +31,7 @@ Vec6T<T> turning(const Vec3T<T>& w, const Vec6T<T>& L) {
   return turned;
 }
 
-/// Computes the velocity qr' (n). rate: xr'. arm: after measure() at q (n). Returns L, which
+/// Computes the velocity qr' (n). rate: xr'. arm: the arm after measure() at q (n). Returns L, which
 /// resolve_acceleration needs.
 template <typename T>
 Vec6T<T> resolve_velocity(const Vec6T<T>& rate, const MeasuredArmT<T>& arm,
@@ -48,8 +49,8 @@ Vec6T<T> resolve_velocity(const Vec6T<T>& rate, const MeasuredArmT<T>& arm,
   return L;
 }
 
-/// Computes qr'' (n). x: xr' and xr''. arm: after measure() and differentiate() with the joint velocities qd
-/// (n). L: result of resolve_velocity. reference: already contains qr'.
+/// Computes qr'' (n). x: xr' and xr''. arm: the arm after measure() and differentiate() with the joint
+/// velocities qd (n). L: result of resolve_velocity. reference: must already contain qr'.
 template <typename T>
 void resolve_acceleration(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm,
                           const JointCenteringT<T>& centering, const JointVectorT<T>& qd, const Vec6T<T>& L,
@@ -72,7 +73,7 @@ void resolve_acceleration(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm
   reference.acceleration += back;
 }
 
-/// Computes qr' and qr'' (n). arm: after measure() and differentiate() at q, qd (n).
+/// Computes qr' and qr'' (n). arm: the arm after measure() and differentiate() at q, qd (n).
 template <typename T>
 void resolve(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm, const JointCenteringT<T>& centering,
              const JointVectorT<T>& q, const JointVectorT<T>& qd, JointReferenceT<T>& reference) {

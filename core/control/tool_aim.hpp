@@ -1,7 +1,7 @@
 #pragma once
-// The aim of the tool: a target to point at, or a given orientation. For the control laws, both become the
-// turn from the tool's present orientation to the wanted one, with the angular velocity and acceleration of
-// the wanted orientation.
+// The aim of the tool: a target at which its z axis points, or a given orientation. For the control laws,
+// both are converted to the turn from the tool's present orientation to the desired one, and to the angular
+// velocity and acceleration of the desired orientation.
 
 #include "core/trajectory/gaze_motion.hpp"
 #include "core/trajectory/slerp.hpp"
@@ -9,12 +9,12 @@
 namespace armtune::internal {
 
 struct ToolAim {
-  MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of the gaze, base frame [m]
-  const OrientationPoint* orientation = nullptr;                       ///< in place of a target
+  MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< motion in the base frame [m]
+  const OrientationPoint* orientation = nullptr;                       ///< replaces the target if not null
   /// True if only the z axis of `orientation` matters, so that the turn about it is free as in a gaze.
   bool axis_only = false;
 
-  /// Returns the rotation vector [rad, base frame] from the tool's orientation to the wanted one. For a
+  /// Returns the rotation vector [rad, base frame] from the tool's orientation to the desired one. For a
   /// target, or if axis_only is true, it is the shortest turn of the tool's z axis.
   Vec3 turn(const Mat3& R_0T, const Vec3& p_0T) const {
     if (orientation == nullptr) return gaze_turn(R_0T, p_0T, target.position);
@@ -22,16 +22,16 @@ struct ToolAim {
     return rotation_log(orientation->orientation * Eigen::Quaterniond(R_0T).conjugate());
   }
 
-  /// Returns the turn rate of the wanted orientation. tool: motion of the tool, base frame.
+  /// Returns the turn rate of the desired orientation. tool: motion of the tool, base frame.
   TurnRate rate(const MotionPoint<Vec3>& tool) const {
     if (orientation != nullptr && !axis_only)
       return {orientation->angular_velocity, orientation->angular_acceleration};
     return direction_rate(direction(tool));
   }
 
-  /// Returns `turn` from the fixed orientation R_0F. If an orientation is given and axis_only is false, it is
-  /// the rotation vector nearest to its previous value `last`. Without this, the vector would jump at half a
-  /// turn, because the opposite direction becomes shorter there.
+  /// Returns the turn from the fixed orientation R_0F to the aim. If an orientation is given and axis_only is
+  /// false, the result is the equivalent rotation vector nearest to its previous value `last`. Without this,
+  /// the vector would jump at half a turn, because the turn in the opposite direction becomes shorter there.
   Vec3 turn_on(const Mat3& R_0F, const Vec3& p_0T, const Vec3& last) const {
     Vec3 phi = turn(R_0F, p_0T);
     if (orientation == nullptr || axis_only) return phi;
@@ -47,10 +47,11 @@ struct ToolAim {
   }
 
  private:
-  /// Largest continued turn [rad]. Near a whole turn, a rotation vector does not determine an axis.
+  /// Largest turn [rad] that turn_on continues from `last`. Near a whole turn, a rotation vector does not
+  /// determine an axis.
   static constexpr double kMostTurn = 1.8 * M_PI;
 
-  /// Returns the wanted direction of the tool's z axis, with its derivatives.
+  /// Returns the desired direction of the tool's z axis, with its derivatives.
   MotionPoint<Vec3> direction(const MotionPoint<Vec3>& tool) const {
     if (orientation == nullptr) return gaze_direction(tool, target);
     const Vec3& w = orientation->angular_velocity;

@@ -1,6 +1,6 @@
 #pragma once
-// The error with which a tool tracks its desired motion. The controller computes it for the measured tool.
-// The simulation computes it for the true tool, for metrics and recordings.
+// Computes the error with which a tool tracks its desired motion. The controller uses it for the measured
+// tool. The simulation uses it for the true tool, for metrics and recordings.
 
 #include "core/control/axis_error.hpp"
 #include "core/control/control_output.hpp"
@@ -17,9 +17,9 @@ struct TrackingError {
 
 /// Returns the error of a tool at R_0T and p_0T [m] with this twist [m/s, rad/s]. The position part is 0
 /// while the arm avoids obstacles, because no position is desired then.
-///  desired: the controller's state and desired motions, in a state that tracks the tool
-///  turn: turn from the tool's orientation to its aim [rad]. Its negative is the orientation error, except
-///        during a slerp: the error is then relative to the slerp's desired orientation.
+///   desired: the controller's state and desired motions; the state must be one that tracks the tool
+///   turn: turn from the tool's orientation to its aim [rad]. Its negative is the orientation error, except
+///         during a slerp: the error is then relative to the slerp's desired orientation.
 inline TrackingError tracking_error(const Mat3& R_0T, const Vec3& p_0T, const Vec6& twist,
                                     const ControlOutput& desired, const Vec3& turn, TaskMask mask) {
   const bool turns_freely = mask == TaskMask::kPositionAndAxis;

@@ -1,6 +1,6 @@
 #pragma once
-// A velocity barrier for each joint: damping that grows as |q'| approaches its limit. It acts against torques
-// that bypass the velocity reference, such as the repulsion of obstacles:
+// A velocity barrier adds damping to a joint that grows as |q'| approaches the joint's limit. It acts against
+// torques that bypass the velocity reference, such as the repulsion of obstacles:
 //   tau_i <- tau_i - gain Kd_i h (|q'_i| - start limit_i) sign(q'_i),
 //   h = 3 x^2 - 2 x^3,   x = (|q'_i| / limit_i - start) / (1 - start).
 // h rises from 0 at |q'_i| = start limit_i, where the barrier begins, to 1 at the limit. In addition, the

@@ -6,8 +6,8 @@
 namespace armtune::internal {
 namespace {
 
-/// p of the norm: the smallest power of two that takes joints of equal share for at most 1.17 of one (12
-/// joints).
+/// Exponent p = 2^kSquarings of the norm. It is the smallest power of two for which the norm of 12 equal
+/// shares is at most 1.17 times one of them.
 constexpr int kSquarings = 4;
 constexpr double kNorm = 1 << kSquarings;
 
@@ -26,7 +26,7 @@ double govern(const JointVector& bound, JointReference& reference) {
   if (!(largest * std::pow(n, 1.0 / kNorm) > kGovernorKnee)) return 1.0;
 
   double sum = 0.0;
-  double sum_dot = 0.0;  // of (share / largest)^p, divided by p and multiplied by largest
+  double sum_dot = 0.0;  // derivative of sum, divided by p and multiplied by largest
   for (Eigen::Index i = 0; i < share.size(); ++i) {
     const double relative = share[i] / largest;
     const double power = to_the_norm(relative);
@@ -42,7 +42,7 @@ double govern(const JointVector& bound, JointReference& reference) {
   const double f = kGovernorKnee + kRoom * bend;
   const double f_slope = 1.0 - bend * bend;
   const double sigma = f / r;
-  // The motion itself runs at the rate sigma, and so does the change of r.
+  // The motion is slowed by the factor sigma, and so is the change of r.
   const double sigma_dot = (f_slope - sigma) / r * (sigma * r_dot);
   reference.acceleration = sigma * sigma * reference.acceleration + sigma_dot * reference.velocity;
   reference.velocity *= sigma;

@@ -7,10 +7,10 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kTolerance = 1e-4;  // of the largest principal moment: five printed digits
-constexpr double kThinnest = 1e-3;   // of the largest second moment
+constexpr double kTolerance = 1e-4;  // share of the largest principal moment; for files with five digits
+constexpr double kThinnest = 1e-3;   // smallest second moment, as a share of the largest
 
-/// What a point mass at the centre has about the body's origin (Steiner).
+/// Returns the inertia about the body's origin of a point mass at the centre of mass (Steiner's theorem).
 Mat3 of_center(const LinkInertia& body) {
   const Vec3 c = body.first_moment / body.mass;
   return body.mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose());
@@ -25,7 +25,7 @@ Vec3 principal_moments(const LinkInertia& body) {
 
 bool is_physical(const LinkInertia& body) {
   const Vec3 moments = principal_moments(body);
-  // The second term is the rounding of the subtraction: a point mass has moments of zero.
+  // The second term covers the rounding of the subtraction: the moments of a point mass are zero.
   const double slack = kTolerance * std::abs(moments[2]) + 1e-12 * body.inertia.norm();
   return moments[0] >= -slack && moments[0] + moments[1] >= moments[2] - slack;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Tests whether a rigid body can have a given inertia, and finds the nearest inertia that a rigid body can
-// have. Both functions serve to check the inertias that a URDF gives for its links.
+// have. armtune uses this to check the inertias that a URDF gives for its links.
 //
 // The inertia I of a body about its centre of mass is related to the second moments S of its mass:
 //   S = integral of r r^T dm = (tr(I) / 2) E - I,   E: the 3 x 3 identity matrix.

@@ -70,8 +70,8 @@ struct ArticulatedBodyT {
                                             : TwinVec3T<T>(M_I.first_times(z), B.transposed_times(z));
   }
 
-  /// Subtracts U U^T / d, the part of the inertia that is not felt through a joint that moves freely.
-  /// scaled: U / d.
+  /// Subtracts U U^T / d. The previous body does not feel this part of the inertia, because the joint between
+  /// the two moves freely. scaled: U / d.
   [[gnu::always_inline]] void subtract(const TwinVec3T<T>& scaled, const TwinVec3T<T>& U) {
     M_I.subtract_square(scaled, U);
     B.subtract_product(scaled.first(), U.second());
@@ -186,7 +186,7 @@ void joint_accelerations(const ChainT<T>& chain, const PosesT<T>& poses, const F
 }
 
 /// Computes q'' (n) [rad/s^2, m/s^2] from  (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05) = torque.
-/// qd: q' (n) [rad/s, m/s]. torque (n) [N m, N]. poses: `body_poses` at q is enough. friction: FrictionStep
+/// qd: q' (n) [rad/s, m/s]. torque (n) [N m, N]. poses: from `body_poses` at q. friction: FrictionStep
 /// within a step of the integration, InstantFriction for q'' at one instant. The equation is singular only if
 /// a joint moves no inertia at all.
 template <typename T, typename Friction>

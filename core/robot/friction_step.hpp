@@ -13,13 +13,13 @@
 // With G = h c / 2 and f(v) = c v this is friction in the middle of the step, c (v0 + h k / 2). It is a
 // W-method (Steihaug and Wolfbrandt 1979; Hairer and Wanner, Solving Ordinary Differential Equations II,
 // section IV.7), with these choices:
-//   - G is 0 where friction is not stiff. The rule is then bit for bit the explicit one, and has its order.
+//   - G is 0 where friction is not stiff. The rule is then bit-identical to the explicit one, with its order.
 //   - Where friction is stiff, G is h c / 2. A Runge-Kutta rule then has second order, and the semi-implicit
 //     Euler rule first order, because G k and (2 / h) G (v - v0) differ by O(h^2). A step of
 //     friction alone gains no energy, because h c is at most twice M + D + G.
 //   - Beyond h c = 2 d the inertia d + G is raised to h c, so that friction alone stops the joint within the
 //     step. With an inertia below h c the velocity would change its sign in every step and hardly decay.
-//   - c = Fv + Fc / max(|v|, 0.05) is no less than the secant f(v) / v. The derivative f'(v) cannot replace
+//   - c = Fv + Fc / max(|v|, 0.05) is at least the secant slope f(v) / v. The derivative f'(v) cannot replace
 //     it, because its Coulomb part vanishes at high speed. A step would then subtract the velocity h Fc / d
 //     explicitly, which can reverse the motion of a joint.
 
@@ -82,7 +82,7 @@ class FrictionStep {
     return {select(stopping > G, stopping, G), -(rate_ * G) * (start_[i] - qd)};
   }
 
-  /// Adds those terms to the inertia and the force of joint i.
+  /// Adds the terms of `added` to the inertia and the force of joint i.
   void add(const ChainT<T>& chain, Eigen::Index i, const T& qd, T& inertia, T& force) const {
     const AddedByFriction<T> friction = added(chain, i, qd, inertia);
     inertia += friction.inertia;

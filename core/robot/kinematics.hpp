@@ -10,8 +10,8 @@
 
 namespace armtune::internal {
 
-/// The poses at one configuration. `forward_kinematics` fills it once in a control period, and everything
-/// that needs a pose reads it.
+/// The poses of an arm at one configuration. `forward_kinematics` computes them once in a control period, for
+/// all code that needs a pose.
 template <typename T>
 struct PosesT {
   int n = 0;

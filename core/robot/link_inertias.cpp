@@ -9,8 +9,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Of the largest moment of inertia, about the link's origin too: what a rod's smallest one can be off when
-/// it was turned into other axes, or moved to the centre of mass by whoever wrote the file.
+/// Tolerance for a negative moment of inertia, as a share of the largest one about the link's origin. A thin
+/// rod's smallest moment can become negative by rounding when the author of a file rotates or shifts it.
 constexpr double kRounding = 1e-12;
 
 }  // namespace

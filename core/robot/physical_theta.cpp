@@ -29,7 +29,7 @@ Eigen::Matrix<double, kLinkParameters, 1> link_parameters(const PseudoInertia& P
 
 namespace {
 
-/// Whether every eigenvalue is positive: the pivots of Gaussian elimination are.
+/// Returns true if every eigenvalue is positive, that is, if every pivot of Gaussian elimination is.
 bool positive_definite(PseudoInertia P) {
   for (int k = 0; k < 4; ++k) {
     if (!(P(k, k) > 0.0)) return false;
@@ -42,14 +42,15 @@ bool positive_definite(PseudoInertia P) {
   return true;
 }
 
-/// Lifts P's negative eigenvalue to zero if it has exactly one and inverse iteration finds it; else returns
-/// false. A theta that adapts stays at the edge for long, where this takes a fifth of an eigendecomposition.
+/// Lifts the negative eigenvalue of P to zero if P has exactly one and inverse iteration finds it. Otherwise
+/// returns false. An adapting theta often stays at the boundary of possible values for long, where this takes
+/// a fifth of the time of an eigendecomposition.
 bool lift_one(PseudoInertia& P) {
   constexpr int kSteps = 6;          // each cubes the error
-  constexpr double kAtRest = 1e-14;  // residual of an eigenvector, of P's size: rounding
+  constexpr double kAtRest = 1e-14;  // residual of an eigenvector, relative to P: rounding
   const double size = P.cwiseAbs().maxCoeff();
   Eigen::Vector4d v = Eigen::Vector4d::Constant(0.5);
-  double eigenvalue = 0.0;  // so that the first step finds the one nearest to zero
+  double eigenvalue = 0.0;  // so that the first step finds the eigenvalue nearest to zero
   double residual = size;
   for (int step = 0; step < kSteps && residual > kAtRest * size; ++step) {
     v = ((P - eigenvalue * PseudoInertia::Identity()).inverse() * v).normalized();
@@ -58,13 +59,13 @@ bool lift_one(PseudoInertia& P) {
     residual = (image - eigenvalue * v).norm();
   }
   if (!(residual <= kAtRest * size && eigenvalue < 0.0)) return false;
-  // With this one moved far up, all are positive exactly if the other three are.
+  // With this eigenvalue raised far above zero, all are positive exactly if the other three are.
   if (!positive_definite(P + (size - eigenvalue) * v * v.transpose())) return false;
   P -= eigenvalue * v * v.transpose();
   return true;
 }
 
-/// P with its negative eigenvalues at zero.
+/// Returns P with its negative eigenvalues set to zero.
 PseudoInertia lifted(const PseudoInertia& P) {
   const Eigen::SelfAdjointEigenSolver<PseudoInertia> eigen(P);
   const Eigen::Vector4d kept = eigen.eigenvalues().cwiseMax(0.0);

@@ -15,16 +15,16 @@
 namespace armtune::internal {
 namespace {
 
-/// Inertia of a unit point mass at p about the origin: |p|^2 1 - p p^T (Steiner's theorem for mass 1).
+/// Returns the inertia of a unit point mass at p about the origin: |p|^2 1 - p p^T (Steiner's theorem).
 Mat3 unit_point_inertia(const Vec3& p) {
   return p.squaredNorm() * Mat3::Identity() - p * p.transpose();
 }
 
 constexpr double kRotationTolerance = 1e-6;
-constexpr double kHeaviest = 1e6;  ///< kg: beyond every arm's link, below what rounds its inertia away
-constexpr double kFarthest = 1e4;  ///< m: no arm is as long, and squares of it keep their digits
+constexpr double kHeaviest = 1e6;  ///< kg: above any arm's link; rounding does not lose the inertia yet
+constexpr double kFarthest = 1e4;  ///< m: longer than any arm; its square keeps enough digits
 
-/// One "FILE: link 'x': value; limit" line at a time.
+/// Checks a model. At the first fault it throws an InputError such as "FILE: link 'x': value; limit".
 class Checker {
  public:
   explicit Checker(const RobotModel& model) : model_(model) {}

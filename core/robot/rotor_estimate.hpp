@@ -1,7 +1,7 @@
 #pragma once
 // Estimates the rotor inertia of joint motors when the robot's files do not give it. At a geared joint, the
-// rotor's inertia counts times the square of the gear ratio. In the wrists of an arm this is many times the
-// inertia of the links.
+// rotor's inertia is multiplied by the square of the gear ratio. In the wrists of an arm this is many times
+// the inertia of the links.
 
 #include "core/robot/robot_model.hpp"
 

@@ -40,7 +40,7 @@ struct Shape {
   ShapeKind kind = ShapeKind::kSphere;
   Mat3 R_BS = Mat3::Identity();  ///< orientation in the body frame B (chain.hpp); lengths lie along z of S
   Vec3 p_BS = Vec3::Zero();      ///< its centre, or the origin of a mesh [m]
-  /// Box: edges; cylinder and capsule: radius, length (a capsule's without its caps), 0; sphere: radius, 0, 0
+  /// Box: edges; cylinder and capsule: radius, length (capsules: without caps), 0; sphere: radius, 0, 0
   /// [m]. Mesh: scale factors of its coordinates.
   Vec3 size = Vec3::Zero();
   std::string file;  ///< file of a mesh, as named in the URDF

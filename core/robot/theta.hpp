@@ -5,7 +5,7 @@
 // It has ten entries per link, link by link, in the link's body frame B (z along the joint axis), with the
 // inertia about B's origin:
 //   m, m cx, m cy, m cz, Ixx, Ixy, Ixz, Iyy, Iyz, Izz
-// Three per joint follow, joint by joint: rotor inertia, viscous friction, Coulomb friction.
+// Three entries per joint follow, joint by joint: rotor inertia, viscous friction, Coulomb friction.
 
 #include "core/robot/chain.hpp"
 

@@ -17,11 +17,11 @@
 namespace armtune::internal {
 namespace {
 
-/// R_CB: the smallest rotation that takes z onto the unit vector `axis`; onto -z, a half turn about x.
+/// Returns the smallest rotation that takes z onto the unit vector `axis`. For -z it is a half turn about x.
 Mat3 z_onto(const Vec3& axis) {
   const double sine_squared = axis.x() * axis.x() + axis.y() * axis.y();
   if (axis.z() < 0.0 && sine_squared < 1e-24) return Vec3(1.0, -1.0, -1.0).asDiagonal();
-  // 1 + cos, in the form that does not cancel near -z.
+  // 1 + cos(angle), in a form without cancellation near -z.
   const double w = axis.z() < 0.0 ? sine_squared / (1.0 - axis.z()) : 1.0 + axis.z();
   return Eigen::Quaterniond(w, -axis.y(), axis.x(), 0.0).normalized().toRotationMatrix();
 }
@@ -57,9 +57,9 @@ class ArmBuilder {
     throw InputError(InputPlace{model_.source}, "" + fmt::format(text, std::forward<Args>(args)...));
   }
 
-  /// Orientation of the base link's frame in the root link's.
+  /// Returns the orientation of the base link's frame in the root link's frame.
   Mat3 base_in_root(const UrdfTree& tree) const {
-    std::map<std::string, const UrdfJoint*> to;  // link: the joint that leads to it
+    std::map<std::string, const UrdfJoint*> to;  // by link: the joint that leads to it
     for (const auto& [name, joint] : tree.joints) to.emplace(joint.child, &joint);
     Mat3 R = Mat3::Identity();
     for (auto way = to.find(selection_.base); way != to.end(); way = to.find(way->second->parent)) {
@@ -82,14 +82,14 @@ class ArmBuilder {
       add_shapes(link.name, shapes_of(link), site);
       for (const std::string& name : link.joints) {
         const UrdfJoint& joint = tree.joints.at(name);
-        if (site.body < 0 && is_beside(joint)) continue;  // it moves on what stands still: not the arm
+        if (site.body < 0 && is_beside(joint)) continue;  // branches off the fixed base: not part of the arm
         sites_.emplace(joint.child, site_behind(joint, site));
         open.push_back(joint.child);
       }
     }
   }
 
-  /// What is to be seen of it, and what it collides with.
+  /// Returns the link's visual and collision shapes. Shapes in the options replace its collision shapes.
   std::vector<Shape> shapes_of(const UrdfLink& link) const {
     const auto given = options_.shapes.find(link.name);
     if (given == options_.shapes.end()) return link.shapes;
@@ -112,7 +112,7 @@ class ArmBuilder {
   }
 
   bool is_held(const UrdfJoint& joint) const { return options_.held.contains(joint.name); }
-  /// It moves, and not on the way to the tip.
+  /// Returns true if the joint moves but is not part of the chain from the base to the tip link.
   bool is_beside(const UrdfJoint& joint) const {
     return joint.motion != UrdfMotion::kFixed && !is_held(joint) && selection_.has_tip &&
            !selection_.on_the_way.contains(joint.name);
@@ -130,7 +130,7 @@ class ArmBuilder {
         names, tip_name(), held);
   }
 
-  /// What the options say and no part of the arm is made of.
+  /// Refuses limits, shapes and inertias in the options that belong to no part of the arm.
   void refuse_unused() const {
     for (const auto& [name, limits] : options_.limits) {
       if (!options_.held.contains(name)) {
@@ -157,13 +157,13 @@ class ArmBuilder {
                        [&](const JointInfo& info) { return info.name == joint; });
   }
 
-  /// The site of the joint's child link; a moving joint starts a new body.
+  /// Returns the site of the joint's child link. A moving joint starts a new body.
   Site site_behind(const UrdfJoint& joint, const Site& parent) {
     const Mat3 R_PL = parent.R_BL * joint.R_PL;
     const Vec3 p_PL = parent.p_BL + parent.R_BL * joint.p_PL;
     if (joint.motion == UrdfMotion::kFixed) return {parent.body, R_PL, p_PL};
     if (is_held(joint)) return held_site(joint, {parent.body, R_PL, p_PL});
-    if (is_beside(joint) && joint.motion != UrdfMotion::kOther) {  // of that kind none can be held
+    if (is_beside(joint) && joint.motion != UrdfMotion::kOther) {  // kOther cannot be held
       loose_.push_back(&joint);
       return {parent.body, R_PL, p_PL};
     }
@@ -180,7 +180,7 @@ class ArmBuilder {
     return axis / length;
   }
 
-  /// As if the joint were fixed where it is held.
+  /// Returns the site of the joint's child link as if the joint were fixed at the position where it is held.
   Site held_site(const UrdfJoint& joint, const Site& at_zero) const {
     const Vec3 axis = axis_of(joint);
     const double q = options_.held.at(joint.name);
@@ -224,8 +224,9 @@ class ArmBuilder {
     }
   }
 
-  /// The fingers of a gripper move on one link: to hold one of them alone would make the other a joint of the
-  /// arm. So all that follow the same joint are named, and that joint too where it is beside one of them.
+  /// Refuses a joint that mimics another one, its leader. The message names all joints to hold: those with
+  /// this leader, and the leader itself if it moves on the same link as one of them, like the fingers of a
+  /// gripper. If only one finger were held, the other would become a joint of the arm.
   [[noreturn]] void refuse_mimic(const UrdfJoint& joint) const {
     const auto leader = tree_->joints.find(joint.mimics);
     std::string hold;
@@ -307,7 +308,7 @@ class ArmBuilder {
     mount_tool();
   }
 
-  /// The tool moves with the last link.
+  /// Adds the tool's inertia and shapes to the last body.
   void mount_tool() {
     const Site at_tool{model_.n() - 1, model_.chain.R_BT, model_.chain.p_BT};
     if (options_.tool_inertia)
@@ -322,7 +323,7 @@ class ArmBuilder {
   RobotModel model_;
   std::vector<const UrdfJoint*> loose_;  ///< joints that move on the arm but do not belong to it
   LinkInertias link_inertias_;
-  std::map<std::string, Site> sites_;  ///< by link name; ordered, so that messages are
+  std::map<std::string, Site> sites_;  ///< by link name; sorted, as are the names in messages
 };
 
 }  // namespace

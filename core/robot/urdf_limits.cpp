@@ -41,7 +41,7 @@ JointLimits limits_of(const UrdfJoint& joint, const UrdfOptions& options, const 
       limits.lower = -1.0;
       limits.upper = 1.0;
     }
-    // 0 stands for one that is not there; what is below it is refused as it is.
+    // A limit of 0 counts as missing. A negative limit is kept, and refused later.
     if (limits.velocity == 0.0) missing->velocity.push_back(joint.name);
     if (limits.effort == 0.0) missing->effort.push_back(joint.name);
     if (limits.velocity == 0.0) limits.velocity = 1.0;

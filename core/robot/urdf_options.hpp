@@ -36,8 +36,8 @@ struct UrdfOptions {
   /// Pose of the tool frame in the tip link.
   Mat3 R_tip_T = Mat3::Identity();
   Vec3 p_tip_T = Vec3::Zero();
-  std::optional<GivenInertia> tool_inertia;  ///< of the tool mounted at the tip, in the tool frame
-  std::vector<Shape> tool_shapes;            ///< of that tool, with poses in the tool frame
+  std::optional<GivenInertia> tool_inertia;  ///< inertia of the tool at the tip, in the tool frame
+  std::vector<Shape> tool_shapes;            ///< shapes of that tool, with poses in the tool frame
   /// Held joints, which are treated as fixed at the given position [rad, m]. Examples are the joints of a
   /// gripper, a mimic joint, or a joint of the arm itself.
   std::map<std::string, double> held;

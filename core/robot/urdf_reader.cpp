@@ -18,7 +18,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Collects what urdfdom logs as errors while it lives: urdfdom returns a model with zeros for many of them.
+/// Collects the errors that urdfdom logs while this object lives. After many of them, urdfdom nevertheless
+/// returns a model, with zeros in it.
 class ErrorLog : public console_bridge::OutputHandler {
  public:
   ErrorLog() : handler_(console_bridge::getOutputHandler()), level_(console_bridge::getLogLevel()) {
@@ -36,7 +37,7 @@ class ErrorLog : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel, const char*, int) override { add(text); }
 
   void add(const std::string& text) { text_ += (text_.empty() ? "" : "; ") + text; }
-  /// All errors on one line; empty if there was none.
+  /// Returns the errors on one line, cut to 1000 bytes; empty if there was none.
   std::string line() const {
     std::string line = text_.substr(0, 1000);
     std::replace_if(
@@ -62,7 +63,8 @@ Parsed parse(const std::string& text, const std::string& path) {
   } catch (const std::exception& error) {
     log.add(error.what());
   }
-  // Links own their children: cut them apart, or a cycle is never freed and a long chain by deep recursion.
+  // Links own their children. They are separated here: otherwise a cycle would never be freed, and a long
+  // chain would be freed by deep recursion.
   Parsed tree(parsed.get(), [parsed](const urdf::ModelInterface*) {
     if (!parsed) return;
     for (const auto& [name, link] : parsed->links_) link->clear();
@@ -98,7 +100,7 @@ UrdfMotion motion_of(const urdf::Joint& joint) {
   }
 }
 
-/// A safety controller keeps the joint within its soft limits, which lie within the hard ones.
+/// Narrows the limits to the soft limits, within which the joint's safety controller keeps the joint.
 void narrow(const urdf::JointSafety& safety, UrdfJoint::Limits& limits) {
   const double lower = std::max(limits.lower, safety.soft_lower_limit);
   const double upper = std::min(limits.upper, safety.soft_upper_limit);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 
-/// The whole text as one number, with blanks around it.
+/// Returns the text as a number. Blanks around it are ignored; if it is not a finite number, returns nothing.
 std::optional<double> number(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
   text.remove_suffix(text.size() - std::min(text.find_last_not_of(kBlanks) + 1, text.size()));
@@ -29,7 +29,7 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-/// What an actuator says, or nothing.
+/// An element of an actuator, and its text.
 struct Said {
   const char* element;
   const char* text;
@@ -51,7 +51,7 @@ double read(const Said& said, const std::string& joint, const std::string& path)
   return *value;
 }
 
-/// The rotor's inertia as the joint feels it; nothing if the actuator gives none.
+/// Returns the rotor inertia that acts on the joint (gear ratio^2 x inertia); nothing if none is given.
 std::optional<double> reflected(const pugi::xml_node& actuator, const std::string& joint,
                                 const std::string& path) {
   const std::optional<Said> rotor = said(actuator, "drake:rotor_inertia", true);

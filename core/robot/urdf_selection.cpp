@@ -51,12 +51,12 @@ bool moves(const UrdfJoint& joint, const UrdfOptions& options) {
   return joint.motion != UrdfMotion::kFixed && !options.held.contains(joint.name);
 }
 
-/// Whether from some link several ways lead on to joints that move.
+/// Returns true if some link has more than one child joint that moves or leads to a moving joint.
 bool branches(const UrdfTree& tree, const UrdfOptions& options) {
-  std::map<std::string, const UrdfJoint*> to;  // link: the joint that leads to it
+  std::map<std::string, const UrdfJoint*> to;  // by link: the joint that leads to it
   for (const auto& [name, joint] : tree.joints) to.emplace(joint.child, &joint);
-  std::set<std::string> leading;       // joints with one that moves at or behind them
-  std::map<std::string, int> ways_on;  // by link
+  std::set<std::string> leading;       // joints that move or lead to a moving joint
+  std::map<std::string, int> ways_on;  // by link: the number of its child joints in `leading`
   for (const auto& [name, moving] : tree.joints) {
     if (!moves(moving, options)) continue;
     for (const UrdfJoint* joint = &moving; joint != nullptr && leading.insert(joint->name).second;) {
@@ -68,10 +68,10 @@ bool branches(const UrdfTree& tree, const UrdfOptions& options) {
   return false;
 }
 
-/// Joints from the base to the tip; false if the tip is not behind the base.
+/// Finds the joints from the base to the tip. Returns false if no chain leads from the base to the tip.
 bool find_way(const UrdfTree& tree, const std::string& base, const std::string& tip,
               std::set<std::string>& way) {
-  std::map<std::string, const UrdfJoint*> to;  // link: the joint that leads to it
+  std::map<std::string, const UrdfJoint*> to;  // by link: the joint that leads to it
   for (const auto& [name, joint] : tree.joints) to.emplace(joint.child, &joint);
   way.clear();
   for (std::string link = tip; link != base;) {
@@ -92,7 +92,7 @@ std::optional<std::pair<double, double>> position_range(const UrdfJoint& joint, 
   if (!said && !(given.lower && given.upper)) return {};
   const UrdfJoint::Limits file = joint.limits.value_or(UrdfJoint::Limits{});
   const std::pair range(given.lower.value_or(file.lower), given.upper.value_or(file.upper));
-  // urdfdom's zeros for a limit element without them.
+  // urdfdom returns two zeros for a limit element without lower and upper.
   if (range.first == range.second) return {};
   return range;
 }
@@ -110,8 +110,8 @@ UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const
   selection.base = options.base_link.empty() ? tree.root : options.base_link;
   const bool asked = !options.tip_link.empty();
   const std::string tip = asked ? options.tip_link : "tool0";
-  // A tip link that is not there is for the arm's builder, who knows where the tool can be, but in a tree it
-  // would come to ask which arm is meant.
+  // A missing tip link is normally reported by the arm's builder, which knows the links that can carry the
+  // tool. In a branching tree it is reported here, because the builder would first ask which arm is meant.
   if (asked && !tree.links.contains(tip) && branches(tree, options))
     require_link(tree, tip, "tip_link", source);
   if (!tree.links.contains(tip)) return selection;

@@ -13,7 +13,7 @@ bool drawable(double length) {
   return std::isfinite(length) && length > 0.0;
 }
 
-/// Kind, size and file; nothing where it cannot be drawn.
+/// Returns the shape with its kind, size and file; nothing if it cannot be drawn.
 std::optional<Shape> shape_of(const urdf::Geometry& geometry) {
   Shape shape;
   bool whole = false;
@@ -44,7 +44,7 @@ std::optional<Shape> shape_of(const urdf::Geometry& geometry) {
       shape.kind = ShapeKind::kMesh;
       shape.size = {mesh.scale.x, mesh.scale.y, mesh.scale.z};
       shape.file = mesh.filename;
-      whole = shape.size.allFinite() && !mesh.filename.empty();  // a negative factor mirrors
+      whole = shape.size.allFinite() && !mesh.filename.empty();  // a negative factor mirrors the mesh
       break;
     }
   }
@@ -57,7 +57,7 @@ void append(const urdf::Geometry* geometry, const urdf::Pose& origin, bool colli
   auto shape = shape_of(*geometry);
   if (!shape && collision) {
     shape.emplace();
-    shape->kind = ShapeKind::kNoSize;  // the link has more to it than the other shapes tell
+    shape->kind = ShapeKind::kNoSize;  // the link is larger than its other shapes show
   }
   if (!shape) return;
   const urdf::Rotation& q = origin.rotation;

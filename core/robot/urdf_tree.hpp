@@ -33,7 +33,7 @@ struct UrdfJoint {
   std::optional<Limits> limits;
   double damping = 0.0;        ///< [N m s/rad, N s/m]
   double friction = 0.0;       ///< [N m, N]
-  double rotor_inertia = 0.0;  ///< as felt at the joint [kg m^2, kg]
+  double rotor_inertia = 0.0;  ///< reflected to the joint [kg m^2, kg]
   std::string mimics;          ///< the joint it follows; empty: none
   JointInterfaces interfaces;  ///< from ros2_control
 };

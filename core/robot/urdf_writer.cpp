@@ -29,11 +29,11 @@ std::string numbers(const Vec3& v) {
   return fmt::format("{} {} {}", v.x(), v.y(), v.z());
 }
 
-/// R = Rz(yaw) Ry(pitch) Rx(roll).
+/// Returns (roll, pitch, yaw) with R = Rz(yaw) Ry(pitch) Rx(roll).
 Vec3 roll_pitch_yaw(const Mat3& R) {
   const double level = std::hypot(R(0, 0), R(1, 0));
   const double pitch = std::atan2(-R(2, 0), level);
-  // Looking straight up or down, roll and yaw turn about one axis: yaw takes it all.
+  // At a pitch of 90 or -90 degrees, roll and yaw turn about the same axis. Roll is then set to zero.
   if (level < 1e-9) return {0.0, pitch, std::atan2(-R(0, 1), R(1, 1))};
   return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
 }
@@ -67,7 +67,7 @@ std::string joint_text(const RobotModel& model, int i, const std::string& parent
       origin(model.chain.R_PB0[k], model.chain.p_PB0[k]), position, limits.velocity, limits.effort);
 }
 
-/// A name for a link that the model does not have, and neither NAME_joint.
+/// Returns a name that no link of the model has, and for which no joint is called NAME_joint.
 std::string free_link(const RobotModel& model, std::string name) {
   const auto taken = [&](const JointInfo& joint) {
     return joint.link == name || joint.name == name + "_joint";
@@ -84,7 +84,8 @@ std::string fixed_joint(const std::string& name, const std::string& parent, cons
       name, escaped(parent), escaped(child), placed);
 }
 
-/// An upright link below the base link, where gravity does not pull along that one's -z; else nothing.
+/// Returns the text of an upright root link for a base link whose -z is not the direction of gravity. If
+/// gravity is zero or acts along -z, no root link is needed and the text is empty.
 std::string root_text(const RobotModel& model) {
   const Vec3& g = model.chain.gravity;
   if (g.isZero(0.0) || (g.normalized() + Vec3::UnitZ()).norm() < 1e-12) return {};

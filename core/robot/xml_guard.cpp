@@ -20,14 +20,14 @@ constexpr std::size_t kMaxBytes = 32u << 20;
 constexpr int kMaxDepth = 1'000;
 constexpr int kMaxLinks = 10'000;
 constexpr int kMaxElements = 200'000;
-constexpr int kMaxAttributes = 100;  // of one tag: tinyxml searches all of them for every new one
-/// Of a link or joint: urdfdom reads the first and passes over the rest without a word.
+constexpr int kMaxAttributes = 100;  // per tag: tinyxml searches all of them for every new one
+/// Elements that a link or joint may have only once: urdfdom reads the first and ignores others silently.
 constexpr std::array<std::string_view, 9> kOnce = {
     "inertial", "origin", "parent", "child", "axis", "limit", "mimic", "dynamics", "safety_controller"};
 constexpr std::string_view kSpace = " \t\r\n";
 constexpr auto kEnd = std::string_view::npos;
 
-/// The value of an attribute of a tag; nullopt: it has none of that name.
+/// Returns the value of a tag's attribute, or nullopt if the tag has no attribute of this name.
 std::optional<std::string_view> attribute_of(std::string_view body, std::string_view name) {
   for (std::size_t at = body.find(name); at != kEnd; at = body.find(name, at + 1)) {
     const std::size_t equals = body.find_first_not_of(kSpace, at + name.size());
@@ -39,9 +39,9 @@ std::optional<std::string_view> attribute_of(std::string_view body, std::string_
   return std::nullopt;
 }
 
-/// One pass over the tags, without recursion. It reads tags as tinyxml does: quotes are skipped inside tags,
-/// comments and CDATA end at their first end mark; a `<` inside a tag is refused, so that the two cannot
-/// disagree on where an element starts.
+/// Checks all tags in one pass, without recursion. It reads tags as tinyxml does: quoted text inside tags is
+/// skipped, and comments and CDATA end at their first end mark. A `<` inside a tag is refused, so that both
+/// parsers agree on where an element starts.
 class Scanner {
  public:
   Scanner(const std::string& path, std::string_view text) : path_(path), text_(text) {}
@@ -58,7 +58,7 @@ class Scanner {
     }
   }
 
-  /// The text with what was left out put in.
+  /// Returns the text with the missing limits inserted.
   std::string completed() const {
     std::string whole;
     std::size_t from = 0;
@@ -90,7 +90,7 @@ class Scanner {
     return end + mark.size();
   }
 
-  /// Reads the tag that opens at `at`; returns the position after its `>`.
+  /// Reads the tag that opens at `at`. Returns the position after its `>`.
   std::size_t tag(std::size_t at) {
     std::size_t end = at + 1;
     int attributes = 0;
@@ -132,7 +132,7 @@ class Scanner {
       refuse(at, "elements are nested deeper than {}; a URDF needs no more than 10", kMaxDepth);
   }
 
-  /// By its first element.
+  /// Refuses SDF and MJCF files, which the name of their first element reveals.
   void refuse_other_format(std::size_t at, std::string_view name) const {
     if (name == "sdf") {
       refuse(at,
@@ -146,7 +146,8 @@ class Scanner {
     }
   }
 
-  /// The robot's links and joints are at depth 1, and what they hold at depth 2.
+  /// Refuses a second element of kOnce in one link or joint. Links and joints are at depth 1, and elements
+  /// inside them are at depth 2.
   void refuse_second(std::size_t at, std::string_view name) {
     if (depth_ == 1) {
       owner_ = name;
@@ -159,8 +160,8 @@ class Scanner {
     seen_.push_back(name);
   }
 
-  /// A limit that is not given is 0 from here on, which is what armtune calls missing: urdfdom drops the
-  /// whole file for it.
+  /// Notes where to insert a velocity or effort limit of 0, because it is missing. armtune treats 0 as
+  /// missing, while urdfdom would refuse the whole file.
   void complete_limit(std::size_t at, std::string_view name, std::string_view body) {
     if (depth_ == 1) {
       const auto type = attribute_of(body, "type");
@@ -174,7 +175,7 @@ class Scanner {
     }
   }
 
-  /// Checks the attribute value that opens at `quote` in the tag at `at`; returns its closing quote.
+  /// Checks the attribute value that opens at `quote` in the tag at `at`. Returns the end quote's position.
   std::size_t attribute(std::size_t at, std::size_t quote) const {
     const std::size_t end = text_.find(text_[quote], quote + 1);
     if (end == kEnd) refuse(quote, "an attribute has no closing quote; add it");
@@ -192,7 +193,7 @@ class Scanner {
   }
 
   [[noreturn]] void refuse_format(std::size_t at) const {
-    // urdfdom 3.0 hands a number it cannot read to printf as its format: mass="%s%n" crashes it.
+    // urdfdom 3.0 passes a number that it cannot read to printf as the format: mass="%s%n" crashes it.
     refuse(at, "'%' or a character reference '&#..;' in a tag; only the attribute 'filename' may hold one");
   }
 
@@ -201,10 +202,10 @@ class Scanner {
   int depth_ = 0;
   int elements_ = 0;
   int links_ = 0;
-  bool needs_limit_ = false;                                 ///< the joint that is open
-  std::vector<std::pair<std::size_t, std::string>> put_in_;  ///< where, and what
-  std::string_view owner_;                                   ///< the last element below the robot
-  std::vector<std::string_view> seen_;                       ///< what it holds, of kOnce
+  bool needs_limit_ = false;                                 ///< true if the open joint has no limit so far
+  std::vector<std::pair<std::size_t, std::string>> put_in_;  ///< positions, and the text to insert there
+  std::string_view owner_;                                   ///< the last element at depth 1
+  std::vector<std::string_view> seen_;                       ///< elements of kOnce found in owner_
 };
 
 }  // namespace

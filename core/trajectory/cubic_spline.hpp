@@ -1,7 +1,7 @@
 #pragma once
-// Computes velocities and accelerations at waypoints for which only positions and times are given. They are
-// taken from the cubic spline through the waypoints that is at rest at both ends (de Boor, A Practical Guide
-// to Splines, chapter IV). A quintic between two knots with these values equals the cubic, so its
+// Computes velocities and accelerations at waypoints (knots) for which only positions and times are given.
+// They are taken from the cubic spline through the knots that is at rest at both ends (de Boor, A Practical
+// Guide to Splines, chapter IV). A quintic between two knots with these values equals the cubic, so its
 // acceleration is linear in time.
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace armtune::internal {
 
-/// Returns the knots of that spline: positions, velocities and accelerations. V: an Eigen vector of any size.
-/// time [s]: increasing, as many as positions, at least two.
+/// Returns the knots of the spline with their positions, velocities and accelerations. V: an Eigen vector of
+/// any size. time [s]: increasing, as many as positions, at least two.
 template <typename V>
 std::vector<MotionPoint<V>> cubic_spline(const std::vector<double>& time, const std::vector<V>& positions) {
   const std::size_t n = time.size();

@@ -1,6 +1,6 @@
 #pragma once
-// A planned motion of an arm's joints, given by positions, velocities and accelerations at knots in time.
-// Between knots the acceleration is linear, as trajectory optimisation by direct transcription produces it.
+// A planned motion of an arm's joints, given by positions, velocities and accelerations at certain times, the
+// knots. Between knots the acceleration is linear, as in trajectory optimisation by direct transcription.
 // Alternatively the motion follows the polynomials of ROS's controllers (ros_segments.hpp).
 
 #include <vector>
@@ -15,7 +15,7 @@ namespace armtune::internal {
 class JointSpline {
  public:
   /// Makes a motion whose acceleration is linear between knots. time: times of the knots [s], increasing, at
-  /// least two. knots: q, q', q'' of n joints at each (rad or m). Throws InputError if the times do not
+  /// least two. knots: q, q', q'' of n joints at each time (rad or m). Throws InputError if the times do not
   /// increase or the counts differ.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots);
 

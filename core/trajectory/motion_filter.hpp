@@ -16,7 +16,8 @@ namespace armtune::internal {
 
 class MotionFilter {
  public:
-  /// bandwidth > 0 [rad/s]: higher follows faster, lower passes less noise. period [s] between samples.
+  /// bandwidth > 0 [rad/s]: a higher one follows faster, a lower one passes less noise. period: time between
+  /// samples [s].
   MotionFilter(double bandwidth, double period) : period_(period) {
     const double beta = std::exp(-bandwidth * period);
     const double rest = 1.0 - beta;

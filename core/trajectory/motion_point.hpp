@@ -1,5 +1,5 @@
 #pragma once
-// Position, velocity and acceleration at one instant, for scalars and Cartesian points alike.
+// Position, velocity and acceleration at one instant, of a scalar or of a vector such as a Cartesian point.
 
 namespace armtune::internal {
 

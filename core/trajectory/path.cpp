@@ -11,7 +11,7 @@ double spline_time(const Path& path, double t) {
   return path.spline_rate * t + path.spline_lead;
 }
 
-/// Sine and cosine of a term at t [s].
+/// Computes the sine and cosine of a term at t [s].
 void turn(const Path& path, const HarmonicTerm& term, double t, double& s, double& c) {
   sine_and_cosine(term.order * (path.frequency * t + path.phase), s, c);
 }

@@ -2,7 +2,7 @@
 // The prescribed motion of a point over time. The point is the tool, a target or an obstacle. The motion is a
 // finite sum of harmonics about a centre, which covers circles and similar curves,
 //   p(t) = c + sum_k A_k cos(k phi) + B_k sin(k phi),   phi = w t + phase,
-// or a motion through knots, p(t) = c + spline(t).
+// or a motion through given points (knots), p(t) = c + spline(t).
 
 #include <memory>
 #include <vector>

@@ -7,15 +7,15 @@
 namespace armtune::internal {
 namespace {
 
-/// Straight pieces shorter than this share of a blend are left out: the next blend begins where
-/// the last one ended. As quintics so short they would be rounding.
+/// Straight pieces shorter than this share of a blend are left out, and the next blend begins where the last
+/// one ended. A quintic that short would consist of rounding errors.
 constexpr double kNoPiece = 1e-4;
 
 class Builder {
  public:
   Builder(double speed, double blend) : speed_(speed), blend_(blend) {}
 
-  /// The motion goes on to `position`, where it has this velocity, in so much time [s].
+  /// Continues the motion to `position` [m], where it has `velocity` [m/s]. It takes `duration` [s].
   void to(const Vec3& position, const Vec3& velocity, double duration) {
     if (!time_.empty() && duration <= kNoPiece * blend_ / speed_) return;
     time_.push_back(time_.empty() ? 0.0 : time_.back() + duration);
@@ -56,7 +56,7 @@ PositionSpline polyline(const std::vector<Vec3>& corners, double speed, double b
     direction.push_back(side / length[s]);
   }
   const auto velocity = [&](std::size_t s) { return Vec3(speed * direction[s]); };
-  const double blending = 2.0 * blend / speed;  // the time of a blend, and of speeding up over as much
+  const double blending = 2.0 * blend / speed;  // duration of a blend, and of a start or stop at the ends
   Builder builder(speed, blend);
   if (closed) {
     builder.to(corners[0] + blend * direction[0], velocity(0), 0.0);

@@ -5,13 +5,13 @@ namespace {
 
 using Point = MotionPoint<JointVector>;
 
-/// Of the ends of the straight line over T [s].
+/// Sets velocities and accelerations at the ends of the straight line over T [s].
 void fill_line(Point& from, Point& to, double T) {
   from.velocity = to.velocity = (to.position - from.position) / T;
   from.acceleration = to.acceleration = JointVector::Zero(from.position.size());
 }
 
-/// Accelerations at the ends of the cubic over T [s], whose positions and velocities are given.
+/// Sets the accelerations at the ends of the cubic over T [s], whose positions and velocities are given.
 void fill_cubic(Point& from, Point& to, double T) {
   const JointVector slope = (to.position - from.position) / T;
   from.acceleration = (6.0 * slope - 4.0 * from.velocity - 2.0 * to.velocity) / T;

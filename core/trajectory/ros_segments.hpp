@@ -3,8 +3,8 @@
 // polynomial of lowest degree that matches both points: a straight line for positions only, a cubic with
 // velocities, a quintic with accelerations.
 // Source: ros2_controllers, joint_trajectory_controller/src/trajectory.cpp, interpolate_between_points.
-// Branches `humble` and `jazzy` of August 2026, and ros_controllers, `noetic-devel`, give the same
-// polynomials.
+// Its branches `humble` and `jazzy` of August 2026 and the branch `noetic-devel` of ros_controllers give the
+// same polynomials.
 
 #include <vector>
 

@@ -32,8 +32,8 @@ inline Vec3 rotation_log(const Eigen::Quaterniond& q) {
 }
 
 /// Returns the rotation vector nearest to `near` that describes the same rotation as phi. All vectors of one
-/// rotation differ by whole turns. With `near` as the previous vector, a rotation can therefore grow beyond
-/// half a turn without a jump of its vector.
+/// rotation differ by whole turns. If `near` is the previous vector of a motion, the rotation can therefore
+/// grow beyond half a turn without a jump of its vector.
 inline Vec3 nearest_rotation_vector(const Vec3& phi, const Vec3& near) {
   const double angle = phi.norm();
   const Vec3 axis = angle > 1e-9 ? Vec3(phi / angle) : near.stableNormalized();

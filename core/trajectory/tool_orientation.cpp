@@ -9,15 +9,16 @@
 namespace armtune::internal {
 namespace {
 
-/// Of the first and the last piece: so far from either end, where it rests, a path has a direction to tell.
+/// A path that does not loop rests at its ends and has no direction there. The direction is taken at this
+/// distance in time from an end, as a share of the first or last piece of the spline.
 constexpr double kOffTheEnd = 1e-3;
 
-/// Unit vector of a vector that is not zero, with its derivatives.
+/// Returns the unit vector of a nonzero vector, with its derivatives.
 MotionPoint<Vec3> unit(const MotionPoint<Vec3>& v) {
   return gaze_direction({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, v);
 }
 
-/// The axes of a frame with x ahead and z nearest to `approach`: z = unit(a - (a . x) x), y = z x x.
+/// Returns the orientation with this x axis and with z nearest to a: z = unit(a - (a . x) x), y = z x x.
 OrientationPoint framed(const MotionPoint<Vec3>& x, const Vec3& a) {
   const double along = a.dot(x.position);
   const double along_dot = a.dot(x.velocity);
@@ -31,7 +32,7 @@ OrientationPoint framed(const MotionPoint<Vec3>& x, const Vec3& a) {
                                 z.position.cross(x.acceleration)};
   Mat3 R;
   R << x.position, y.position, z.position;
-  // e' = w x e of every axis, so that w = sum e x e' / 2, and w' = sum e x e'' / 2.
+  // Every axis e obeys e' = w x e, so that w = sum e x e' / 2 and w' = sum e x e'' / 2.
   OrientationPoint point{Eigen::Quaterniond(R), Vec3::Zero(), Vec3::Zero()};
   for (const MotionPoint<Vec3>* e : {&x, &y, &z}) {
     point.angular_velocity += 0.5 * e->position.cross(e->velocity);

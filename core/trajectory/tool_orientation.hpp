@@ -21,7 +21,7 @@ struct ToolOrientation {
   /// direction nearest to this one that is perpendicular to x.
   std::optional<Vec3> approach = std::nullopt;
 
-  /// Returns the orientation at t [s], with exact rates. path: that of the tool. Allocates nothing.
+  /// Returns the orientation at t [s], with exact rates. path: the path of the tool. Allocates nothing.
   OrientationPoint at(double t, const Path& path) const;
 
   /// True if the tool never turns.

@@ -7,7 +7,8 @@
 
 namespace armtune {
 
-/// Returns pairs (name, version): first that of armtune, then those of all libraries in use.
+/// Returns pairs (name, version). The first pair is that of armtune, the others are those of all libraries in
+/// use.
 std::vector<std::pair<std::string, std::string>> versions();
 
 /// Returns the names of the bundled files of one kind. folder: "robots", "scenarios", "gains", "studies",

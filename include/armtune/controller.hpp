@@ -34,7 +34,7 @@ class LawState {
   Vector reference_velocity() const;      ///< qr' (n) [rad/s, m/s]
   Vector reference_acceleration() const;  ///< qr'' (n) [rad/s^2, m/s^2]
   Vector sliding() const;                 ///< S = q' - qr' (n) [rad/s, m/s]
-  Vector damping() const;                 ///< Kd of the active state (n) [N m s/rad, N s/m]
+  Vector damping() const;                 ///< damping gains Kd of the current state (n) [N m s/rad, N s/m]
   Jacobian jacobian() const;              ///< J of the tool, (v, w) = J q' in the base frame (6 x n)
   /// Returns the name of the current state of the controller's state machine, such as "followTrajectory".
   const char* state() const;
@@ -62,8 +62,9 @@ class Law {
   Law& operator=(const Law&) = delete;
   virtual ~Law() = default;
 
-  /// Sets the torques (n) [N m, N]. armtune then applies the obstacles' repulsion, the velocity barrier and
-  /// the effort limits to them. It is called once in every control period and must not allocate.
+  /// Sets the torques (n) [N m, N]. armtune then adds the repulsion from obstacles and the damping of the
+  /// velocity barrier, which acts near the velocity limits. Finally, it applies the effort limits. This
+  /// function is called once in every control period and must not allocate.
   virtual void torque(const LawState& state, Eigen::Ref<Eigen::VectorXd> tau) = 0;
   /// Is called at the end of every control period, for example to adapt parameters of the law. learning: true
   /// if no joint was saturated and adaptation is wanted.
@@ -86,12 +87,12 @@ struct GainDeclaration {
   GainShape shape = GainShape::kScalar;
   std::string name = {};
   std::string unit = {};
-  std::string meaning = {};   ///< a few words
-  double otherwise = 0.0;     ///< default of each of its values
+  std::string meaning = {};   ///< description in a few words
+  double otherwise = 0.0;     ///< default value, the same for each of its values
   bool positive = false;      ///< zero is refused
-  bool in_loop = true;        ///< true if it scales the loop gain; false for a length, an angle or a scale
+  bool in_loop = true;        ///< true if the gain scales the loop gain; false for a length, angle or scale
   double lower_factor = 0.2;  ///< default lower bound of the search, as a factor on the start value
-  double upper_factor = 5.0;  ///< default upper bound, likewise; a study can set both
+  double upper_factor = 5.0;  ///< default upper bound, in the same way; a study can set both
 };
 
 /// The data that a law is constructed from.
@@ -106,7 +107,7 @@ struct LawSetup {
 /// A kind of controller. A gains file selects it with "controller: NAME".
 struct ControllerKind {
   std::string name = {};
-  std::string meaning = {};  ///< one line
+  std::string meaning = {};  ///< description in one line
   /// Names of armtune's own gains that the law uses, such as "task_space_gains_p".
   std::vector<std::string> uses = {};
   std::vector<GainDeclaration> own = {};

@@ -17,11 +17,11 @@ class Error : public std::runtime_error {
   explicit Error(const std::string& message);
 };
 
-/// The place of an error in the input. What is not known is empty or 0.
+/// The place of an error in the input. Members that are not known are empty or 0.
 struct InputPlace {
-  std::string file = {};  ///< as the user named it, or as a file of the user named it
+  std::string file = {};  ///< path as given by the user, or in a file of the user
   long line = 0;          ///< counted from 1
-  std::string key = {};   ///< in YAML "targets/1/center", in CSV the name of the column
+  std::string key = {};   ///< in YAML a key path such as "targets/1/center", in CSV the name of the column
 };
 
 /// An input that cannot be used as it is: a file that cannot be read, a value outside its limits, an unknown

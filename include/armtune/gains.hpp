@@ -18,8 +18,8 @@ struct Gains;
 /// The file formats that gains can be written in.
 enum class GainsFormat {
   kYaml,  ///< armtune's gains file, with the keys of the published controller
-  kRos1,  ///< for rosparam load
-  kRos2   ///< for --params-file
+  kRos1,  ///< ROS 1 parameter file, for rosparam load
+  kRos2   ///< ROS 2 parameter file, for --params-file
 };
 
 /// The gains of one controller for one arm. It is a value: copies are independent.
@@ -40,23 +40,25 @@ class Gains {
   /// or words.
   std::vector<std::string> names() const;
 
-  /// Returns the values of a gain, to be read and written in place: one, six (x y z rx ry rz) or one for each
-  /// joint. The span stays valid until other gains are assigned to this object. Throws InputError if there is
-  /// no such gain, or if it has no numbers.
+  /// Returns the values of a gain, which can be read and changed in place. A gain has one value, six values
+  /// (x y z rx ry rz) or one for each joint. Only force_control_gains can have n x n values for n joints. The
+  /// span stays valid until other gains are assigned to this object. Throws InputError if there is no such
+  /// gain, or if it is not numeric.
   std::span<double> numbers(const std::string& name);
   std::span<const double> numbers(const std::string& name) const;
-  /// Sets all values of a gain. A single value is used for all of them. Throws InputError if the count does
-  /// not fit.
+  /// Sets all values of a gain. A single value is used for all of them. Throws InputError if the number of
+  /// values does not fit.
   void set(const std::string& name, const std::vector<double>& values);
   void set(const std::string& name, double value) { set(name, std::vector<double>{value}); }
   /// Reads or sets a switch ("true", "false") or a word, as written in a gains file. Throws InputError if
-  /// there is no such gain, if it has numbers, or if the word is not one of its words.
+  /// there is no such gain, if it is numeric, or if the word is not one of its allowed words.
   std::string word(const std::string& name) const;
   void set_word(const std::string& name, const std::string& word);
 
   /// Returns the text of a gains file. Throws InputError if a number is outside its limits.
   std::string text(GainsFormat format = GainsFormat::kYaml) const;
-  /// Writes that text to a file, either completely or not at all. Throws InputError if it cannot be written.
+  /// Writes the text of a gains file to a file, either completely or not at all. Throws InputError if it
+  /// cannot be written.
   void save(const std::string& path, GainsFormat format = GainsFormat::kYaml) const;
 
   /// For armtune's own code.

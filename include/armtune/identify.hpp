@@ -1,6 +1,6 @@
 #pragma once
-// Identification of an arm's inertial parameters from logs of its motion. It needs an armtune that was built
-// with SuiteSparse: link armtune::identification.
+// Identifies the inertial and friction parameters of an arm from logs of its motion. This requires an armtune
+// that was built with SuiteSparse. Link the library armtune::identification.
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct IdentifyOptions {
   std::string columns =
       {};  ///< path of a YAML file that names the logs' columns; empty: they have armtune's names
   bool robust = false;  ///< give outliers less weight
-  bool accept = false;  ///< write the result although the logs do not fit the model
+  bool accept = false;  ///< write the result even if the logs do not fit the model
   Watch watch = {};
 };
 
@@ -28,7 +28,7 @@ struct Residuals {
 
 struct Identified {
   std::vector<double> theta = {};        ///< 13 for each joint, physically valid
-  Residuals fitted = {}, held_out = {};  ///< on the samples used in the fit, and on those left out
+  Residuals fitted = {}, held_out = {};  ///< on samples used in the fit, and on samples left out
   std::vector<std::string> doubts = {};  ///< why the logs may be of another arm, one sentence each
   bool interrupted = false;
   std::vector<std::string> files = {};  ///< names of the files in the folder

@@ -1,6 +1,6 @@
 #pragma once
-// Offline planning of a trajectory within the arm's limits. It needs an armtune that was built with
-// SuiteSparse: link armtune::planning.
+// Plans a trajectory offline within the arm's limits. This requires an armtune that was built with
+// SuiteSparse. Link the library armtune::planning.
 
 #include <limits>
 #include <string>
@@ -16,7 +16,8 @@ struct PlanOptions {
   Watch watch = {};
 };
 
-/// One limit of the task, and how close the planned motion comes to it.
+/// One limit of the task, and how close the planned motion comes to it. It is checked at the knots, which are
+/// the times of Plan::time, and between them.
 struct PlanLimit {
   std::string limit = {};  ///< "velocity", "torque", "gaze", "distance to ..."
   std::string part = {};   ///< the joint or axis

@@ -63,7 +63,7 @@ struct Margin {
   std::string kind = {};  ///< such as "torque_delay"
   std::string unit = {};
   std::string scenario = {};
-  double nominal = 0.0;               ///< [unit]
+  double nominal = 0.0;               ///< nominal value [unit]
   std::optional<double> stands = {};  ///< last value that passed; none: the nominal value already fails
   std::optional<double> fails = {};   ///< next value, which failed; none: every value tried passed
   std::string reason = {};            ///< why it failed

@@ -17,7 +17,7 @@ namespace armtune {
 /// The physics engine that computes an arm's motion.
 enum class Engine {
   kSimbody,
-  kNative  ///< armtune's own dynamics, several arms at a time: about ten times as fast
+  kNative  ///< armtune's own dynamics for several arms at a time, about ten times as fast
 };
 
 struct SimulateOptions {
@@ -38,7 +38,7 @@ class Rollout {
   /// the task) or "interrupted".
   const std::string& status() const { return status_; }
   bool completed() const { return status_ == "completed"; }
-  /// Returns when, where and why it did not complete; empty if it completed.
+  /// Returns when, where and why the rollout did not complete; empty if it completed.
   const std::string& reason() const { return reason_; }
   /// Returns every metric by name, in SI units; NaN if there was nothing to measure. `armtune metrics`
   /// explains them.
@@ -46,8 +46,9 @@ class Rollout {
   /// Returns one metric. Throws InputError if there is no such metric.
   double metric(const std::string& name) const;
   /// Returns the arm's own limits that were exceeded, each in one sentence, the earliest first. There is no
-  /// value if the limits were not observed: in results of simulate_sets, for random arms, and in the rollouts
-  /// that an objective of your own receives. Use the metrics there, such as "joint_velocity/max_ratio".
+  /// value if the limits were not observed. This is so in results of simulate_sets, for random arms, and in
+  /// the rollouts that an objective of your own receives. In these cases, use metrics such as
+  /// "joint_velocity/max_ratio".
   const std::optional<std::vector<std::string>>& broken_limits() const { return broken_limits_; }
 
   /// Returns the names of the recorded columns, `time` first; empty without a recording.

@@ -29,7 +29,8 @@ class Scenario {
   double duration() const;        ///< simulated time [s]
   double control_period() const;  ///< [s]
 
-  /// Sets the name of its results: letters, digits, '_', '-' and '.', without '.' or '-' at the beginning.
+  /// Sets the name of the scenario and of its results. A name consists of letters, digits, '_', '-' and '.',
+  /// and does not begin with '.' or '-'.
   /// Scenarios that are simulated together need different names. Throws InputError.
   void set_name(const std::string& name);
   /// Sets the simulated time [s], at least one control period. Throws InputError.

@@ -19,8 +19,8 @@ namespace internal {
 struct Study;
 }
 
-/// Parts of a study that replace the keys `scenarios`, `gains` and `objective` of its text, or stand in for
-/// keys that are missing there.
+/// Parts of a study that are passed as objects. They replace the keys `scenarios`, `gains` and `objective` of
+/// the study's text, which may then be missing.
 struct StudyInputs {
   std::vector<Scenario> scenarios = {};
   std::optional<Gains> start = std::nullopt;
@@ -35,8 +35,8 @@ struct StudyInputs {
 /// A tuning study. It is a value: a setter changes this object only.
 class Study {
  public:
-  /// Reads a bundled study by name, or a study file by path. controller: kind of controller to tune, in place
-  /// of the one that the gains are for; empty: as the study specifies. Throws InputError.
+  /// Reads a bundled study by name, or a study file by path. controller: kind of controller to tune instead
+  /// of the one that the start gains belong to; empty: as the study specifies. Throws InputError.
   static Study load(const std::string& name_or_path, const std::string& controller = {});
   /// Parses the text of a study file (docs/file_formats.md). Paths are relative to the current folder.
   /// Functions that write a run folder do not accept such a study, because there is no file that they could
@@ -49,7 +49,7 @@ class Study {
   /// Returns the names of the tuned numbers, such as "task_space_gains_p/x". The coordinates of a point have
   /// this order.
   std::vector<std::string> parameters() const;
-  long max_evaluations() const;  ///< also counts the start gains and the coarse grid around them
+  long max_evaluations() const;  ///< includes the start gains and the sweep, a coarse grid around them
   std::uint64_t seed() const;    ///< seed of algorithms that draw random numbers
   /// Sets the largest number of evaluations. Throws InputError if it is not positive.
   void set_max_evaluations(long most);

@@ -1,6 +1,6 @@
 #pragma once
-// Tunes gains: searches for those that minimise a study's objective within its constraints. This file has the
-// options, the result and the function that runs the search.
+// Tunes gains: searches for the gains that minimise a study's objective within its constraints. This file has
+// the options, the result and the function that runs the search.
 
 #include <functional>
 #include <optional>
@@ -17,7 +17,7 @@ struct TuneOptions {
   std::string folder = {};  ///< new folder for all files of the run; empty: nothing is written
   bool resume = false;      ///< resume the run in that folder
   int workers = 1;          ///< threads; results do not depend on it
-  bool analysis = true;     ///< compute margins, sensitivity, and the checks that take long
+  bool analysis = true;     ///< compute margins, sensitivity, and the checks that take a long time
   double deadline = 0.0;    ///< wall-clock limit of a rollout [s]; 0: 20 s plus twice its simulated duration
   Watch watch = {};
 };
@@ -29,8 +29,9 @@ struct TunePoint {
   double objective = 0.0;            ///< relative to the objective of the start gains, which is 1
   double violation = 0.0;            ///< sum of the relative violations of the constraints; 0: feasible
   Engine engine = Engine::kSimbody;  ///< engine that simulated the point
-  /// By how much each constraint is broken, relative to its limit; 0 or less: it is kept. One for each
-  /// constraint of the study, and a last one that is kept if every scenario completed.
+  /// Violation of each constraint, relative to its limit; 0 or less: the constraint is kept. There is one
+  /// value for each constraint of the study. One more value follows; it is 0 or less if every scenario
+  /// completed.
   std::vector<double> constraints = {};
 };
 

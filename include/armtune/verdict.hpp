@@ -39,13 +39,13 @@ struct Check {
   CheckKind kind = CheckKind::kCompleted;
   bool passed = true;
   std::string scenario = {};
-  std::string arm = {};  ///< which of several, such as "random arm 3 of 6"
+  std::string arm = {};  ///< which of several arms, such as "random arm 3 of 6"
   std::string joint = {};
   double time = NAN;        ///< [s]
   double value = NAN;       ///< the measured value
   double threshold = NAN;   ///< the value that it is compared with
   std::string unit = {};    ///< unit of value and threshold
-  std::string detail = {};  ///< one clause in words, such as the constraint's name
+  std::string detail = {};  ///< further information in words, such as the constraint's name
 };
 
 struct Verdict {

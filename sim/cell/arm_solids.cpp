@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kMostTriangles = 500000;
 constexpr double kRod = 1e-3;  // m
 
-/// Nothing where `why` says what is wrong with it. The file is added to `meshes`.
+/// Returns the convex hull of a mesh, and adds its file to `meshes`. If the mesh cannot be used, returns
+/// nothing and sets `why` to the reason.
 std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf,
                                   std::vector<std::string>& meshes, std::string& why) {
   const auto path = mesh_path(shape.file, urdf);
@@ -64,7 +65,8 @@ std::optional<Solid> solid_of(const Shape& shape, const std::string& urdf, std::
   return hull_of_mesh(shape, urdf, meshes, why);
 }
 
-/// The shapes of one link that count, those without size last.
+/// Returns the shapes that represent a link: its collision shapes, or its visual shapes if it has none. The
+/// shapes without size come last.
 std::vector<const Shape*> counting(const RobotModel& robot, int link) {
   std::vector<const Shape*> collision, seen, without_size;
   for (const Shape& shape : robot.shapes) {
@@ -77,7 +79,7 @@ std::vector<const Shape*> counting(const RobotModel& robot, int link) {
   return counted;
 }
 
-/// Bodies without any shape, by their links' names.
+/// Adds the bodies without any shape to arm.unknown, under the names of their links.
 void add_bare_bodies(const RobotModel& robot, ArmSolids& arm) {
   for (int body = -1; body < robot.n(); ++body) {
     const auto is_on = [body](const auto& shape) { return shape.body == body; };
@@ -86,13 +88,14 @@ void add_bare_bodies(const RobotModel& robot, ArmSolids& arm) {
   }
 }
 
-/// What a tool frame that lies off the last body's shapes stands on: a thin rod from there to its origin, the
-/// point that does the work. What a tool is made of beside it only the robot's file can say.
+/// Returns a thin rod from the last body's shapes to the origin of the tool frame, the point that does the
+/// work. Returns nothing if this origin lies on or in the shapes. Other parts of the tool are known only from
+/// the robot's file.
 std::optional<ArmSolid> rod_to_tool(const RobotModel& robot, const std::vector<ArmSolid>& solids) {
   const Vec3& tool = robot.chain.p_BT;
   const int last = robot.n() - 1;
   const Solid point = sphere(kRod);
-  Vec3 from = Vec3::Zero();  // of a body without shapes, its joint
+  Vec3 from = Vec3::Zero();  // the joint's origin, if no shape is closer
   double least = tool.norm();
   for (const ArmSolid& solid : solids) {
     if (solid.body != last) continue;

@@ -1,6 +1,7 @@
 #pragma once
-// Represents the links and the tool of an arm by convex bodies, called solids here. Distances between these
-// bodies show whether the arm touches itself or its surroundings.
+// Represents the links and the tool of an arm by convex shapes, called solids. Distances between solids show
+// whether the arm touches itself or its surroundings. Links that are fixed to each other form one rigid body,
+// which has the index of the joint that moves it.
 
 #include <string>
 #include <vector>
@@ -11,22 +12,23 @@
 namespace armtune::internal {
 
 struct ArmSolid {
-  int body = -1;     ///< index of the joint that moves it; -1: the base
+  int body = -1;     ///< index of its rigid body; -1: the base
   std::string link;  ///< name of its link, or "tool"
   PlacedSolid placed;
 };
 
 struct ArmSolids {
   std::vector<ArmSolid> solids;
-  std::vector<std::string> unknown;  ///< links with an unreadable shape, and links of bodies without a shape
-  std::vector<std::string> meshes;   ///< mesh files from which shapes were read, without duplicates
-  std::vector<std::string> unread;   ///< unreadable shapes, with the reason: "NAME: no such file ..."
+  /// Links with an unreadable shape, and one link of every rigid body without any shape.
+  std::vector<std::string> unknown;
+  std::vector<std::string> meshes;  ///< mesh files from which shapes were read, without duplicates
+  std::vector<std::string> unread;  ///< unreadable shapes, with the reason: "NAME: no such file ..."
 };
 
 /// Returns the solids of the arm, one for each shape. The shapes of a link are its collision geometry, or its
-/// visual geometry if it has none. Meshes become their convex hulls; they must be binary STL files that
-/// mesh_path() finds. If the origin of the tool frame lies outside the shapes of the last body, a thin rod
-/// connects this origin to the nearest shape. The rod is named "tool" and has a radius of 1 mm.
+/// visual geometry if it has none. A mesh is replaced by its convex hull. It must be a binary STL file that
+/// mesh_path() finds. If the origin of the tool frame lies outside the shapes of the last rigid body, a thin
+/// rod connects this origin to the nearest of these shapes. The rod is named "tool" and has a radius of 1 mm.
 ArmSolids arm_solids(const RobotModel& robot);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// The robot cell, that is, the surroundings of the arm: a floor and convex parts, which rest or move without
-// turning. Simulations check that the arm does not touch them.
+// Describes the robot cell, that is, the surroundings of the arm: a floor and convex parts, which rest or
+// move without rotating. Simulations check that the arm does not touch them.
 
 #include <optional>
 #include <string>

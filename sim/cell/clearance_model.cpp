@@ -10,14 +10,15 @@
 namespace armtune::internal {
 namespace {
 
-constexpr unsigned kPositions = 200;  // at which links are looked at that may meet by their make
-constexpr unsigned kFewest = 3;       // of these: at fewer free ones two shapes are made to meet
+constexpr unsigned kPositions = 200;  // joint positions at which a pair of bodies is tested
+constexpr unsigned kFewest = 3;       // two links that are free of contact at fewer of these are not checked
 
-/// By how much one radian, or metre, of each of the joints first .. placed.body moves a point of the solid,
-/// at most, at any position within the joints' limits (n).
+/// Returns an upper bound of the motion of any point of the solid per radian or metre of each of the joints
+/// first .. body (n) [m/rad, m/m]. It is valid at all positions within the joints' limits. The elements of
+/// the other joints are zero.
 JointVector levers(const RobotModel& robot, const PlacedSolid& placed, int body, int first) {
   JointVector lever = JointVector::Zero(robot.n());
-  double from_origin = farthest(placed, Vec3::Zero());  // of the points from the body's origin
+  double from_origin = farthest(placed, Vec3::Zero());  // largest distance of a point
   for (int i = body; i >= first; --i) {
     const auto k = static_cast<std::size_t>(i);
     const bool slides = robot.chain.motion[k] == JointMotion::kPrismatic;
@@ -78,7 +79,7 @@ void ClearanceModel::add_self_pairs() {
     }
   }
   for (const LinkPair& links : left_out) {
-    // Of links with several shapes some pairs may be looked at.
+    // If the links have several shapes, another pair of their shapes may be checked.
     const bool looked_at = std::any_of(pairs_.begin(), pairs_.end(), [&](const ContactPair& pair) {
       return solids[pair.other].link == links[0] && solids[pair.solid].link == links[1];
     });
@@ -100,7 +101,7 @@ void ClearanceModel::add_floor_pairs() {
     const int body = arm_.solids[s].body;
     if (body < 0) continue;
     const ContactPair both = pair(Clearance::kFloor, s, 0);
-    // The first link may stand on the floor that the arm stands on.
+    // The first link may always touch the floor on which the arm is mounted. It is then not checked.
     if (body > 0 || is_free_at(1, both)) pairs_.push_back(both);
   }
 }

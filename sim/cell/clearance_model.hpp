@@ -25,8 +25,8 @@ struct ContactPair {
   std::size_t solid = 0;  ///< index of a solid of the arm
   std::size_t other = 0;  ///< kSelf: index of another solid of the arm, closer to the base; kCell: index of a
                           ///< part of the cell; kFloor: 0
-  /// Upper bound of the change of the distance per unit of motion of each joint (n) [m/rad, m/m]. It holds at
-  /// every position within the joint limits.
+  /// Upper bound of the change of the distance per unit of motion of each joint (n) [m/rad, m/m]. It is valid
+  /// at all positions within the joint limits.
   JointVector lever;
 };
 

@@ -9,7 +9,7 @@ void ClearanceWatch::see(double time, const JointVector& q) {
     LeastClearance& least = least_[static_cast<std::size_t>(pairs[k].of)];
     if (distances_.at_least(k) >= least.distance) continue;
     const double distance = distances_.compute(k).distance;
-    // What is not a number counts as a contact that was not excluded.
+    // NaN replaces any distance, because a contact cannot be excluded.
     if (!(distance >= least.distance)) least = {distance, time, &pairs[k]};
   }
 }
@@ -34,7 +34,7 @@ void ClearanceNow::see(double time, const JointVector& q) {
       closest_ = found;
     }
   };
-  // The pair that was closest a moment ago most likely still is: with it first, few others matter.
+  // The closest pair of the last call is probably still the closest. Computed first, it excludes most others.
   const auto first = last_;
   for (const std::size_t k : first) {
     if (k < pairs.size()) look_at(k);

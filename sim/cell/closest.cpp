@@ -9,18 +9,19 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kProof =
-    1e-9;  // m, by which the distance may be larger than what is proven; closer is meeting
-constexpr double kGone = 1e-13;  // weight of a point that does not count any more
+    1e-9;  // m: accuracy to which the distance is proven; bodies closer than this count as touching
+constexpr double kGone = 1e-13;  // largest weight of a point that is removed
 constexpr int kMostSteps = 200;
 
-/// A point of the difference of both bodies: a - b.
+/// A point a - b of the Minkowski difference of the two bodies.
 struct Difference {
   Vec3 a = Vec3::Zero();
   Vec3 b = Vec3::Zero();
   Vec3 ab() const { return a - b; }
 };
 
-/// Up to four points whose affine hull the search is in, with the weights of its point of least norm.
+/// Up to four points of the difference (the corral of Wolfe's algorithm) and their weights. After settle(),
+/// the weights give the point of least norm of the points' convex hull.
 class Corral {
  public:
   explicit Corral(const Difference& first) : points_{first} {}
@@ -42,7 +43,8 @@ class Corral {
     weights_[k] = 0.0;
   }
 
-  /// Moves to the point of least norm of the convex hull of a part of the points, and keeps that part.
+  /// Moves to the point of least norm of the points' convex hull, and removes the points whose weight is zero
+  /// there.
   void settle() {
     while (true) {
       const std::array<double, 4> wanted = affine_weights();
@@ -72,7 +74,7 @@ class Corral {
     return total;
   }
 
-  /// The point of least norm of the affine hull, as weights that sum to 1.
+  /// Returns the point of least norm of the points' affine hull, as weights that sum to 1.
   std::array<double, 4> affine_weights() const {
     std::array<double, 4> weights{1.0, 0.0, 0.0, 0.0};
     if (size_ == 1) return weights;
@@ -122,11 +124,11 @@ Closest closest(const Solid& a, const Mat3& R_a, const Vec3& p_a, const Solid& b
     if (x.norm() - proven <= kProof) break;
     corral.add(next);
     corral.settle();
-    // Four points about the origin: the bodies meet.
+    // Four remaining points enclose the origin: the bodies overlap.
     x = corral.size() < 4 ? corral.nearest() : Vec3::Zero();
   }
   Closest found;
-  // What ended without a proof is as far apart as was proven.
+  // If the accuracy was not reached, the result is the proven lower bound.
   const double apart = x.norm() - proven <= kProof ? x.norm() : proven;
   const double radii = a.radius + b.radius;
   if (!(apart > kProof)) {

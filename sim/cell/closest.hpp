@@ -3,9 +3,9 @@
 // polytope, 1976). The algorithm finds the point of least norm in the Minkowski difference of the two bodies.
 // It needs only the extreme point of each body in a given direction.
 //
-// The result is proven to 1 nm: the bodies lie on opposite sides of two parallel planes, which are that
-// distance apart and perpendicular to the line between the closest points. If this precision is not reached,
-// the proven lower bound is returned.
+// The result is proven to be accurate to 1 nm. The proof is a pair of parallel planes between the bodies,
+// which are perpendicular to the line between the closest points: the distance of the planes is a lower bound
+// of the distance of the bodies. If 1 nm is not reached, this lower bound is returned.
 
 #include "sim/cell/solid.hpp"
 

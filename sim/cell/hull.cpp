@@ -14,9 +14,9 @@ extern "C" {
 namespace armtune::internal {
 namespace {
 
-constexpr double kFlat = 1e-4;  // of the extent: what is thinner has no hull worth the name
+constexpr double kFlat = 1e-4;  // as a share of the extent: points with a smaller thickness have no hull
 
-/// How far the points extend along their thinnest direction [m].
+/// Returns the extent of the points along their thinnest direction [m].
 double thickness(std::span<const Vec3> points) {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& p : points) mean += p / static_cast<double>(points.size());
@@ -33,10 +33,10 @@ double thickness(std::span<const Vec3> points) {
   return high - low;
 }
 
-/// Qhull's memory for one hull.
+/// Computes one hull by Qhull, and owns Qhull's memory for it.
 class Hull {
  public:
-  /// coordinates: three per point; they stay where they are. Facets of more corners become triangles.
+  /// coordinates: three per point; they must outlive this object. Facets are divided into triangles.
   explicit Hull(std::vector<double>& coordinates) {
     qh_zero(&qh_, nullptr);
     char options[] = "qhull Qt Pp";
@@ -57,7 +57,7 @@ class Hull {
 
   bool failed() const { return failed_; }
 
-  /// Calls see(points, normal) for every triangle: numbers of its points, and the normal to its outside.
+  /// Calls see(points, normal) for every triangle. points: indices of its points. normal: points outwards.
   template <typename See>
   void each_triangle(See&& see) {
     for (const facetT* facet = qh_.facet_list; facet != nullptr && facet->next != nullptr;
@@ -74,7 +74,7 @@ class Hull {
   }
 
  private:
-  std::FILE* nowhere_ = std::fopen("/dev/null", "w");  ///< where its messages go: they are for its own users
+  std::FILE* nowhere_ = std::fopen("/dev/null", "w");  ///< discards Qhull's messages
   qhT qh_{};
   bool failed_ = false;
 };
@@ -93,7 +93,7 @@ std::optional<Solid> convex_hull(std::span<const Vec3> points) {
   const Vec3 center = 0.5 * (lower + upper);
   const double extent = (upper - lower).norm();
   if (!(thickness(points) > kFlat * extent)) return std::nullopt;
-  // Of a size that Qhull's own tolerances are made for.
+  // The points are scaled to the size for which Qhull's tolerances are made.
   std::vector<double> scaled;
   scaled.reserve(3 * points.size());
   for (const Vec3& p : points) {
@@ -104,7 +104,7 @@ std::optional<Solid> convex_hull(std::span<const Vec3> points) {
   if (found.failed()) return std::nullopt;
   Solid hull;
   hull.kind = SolidKind::kHull;
-  std::map<int, int> number;  // of a point, that of its corner
+  std::map<int, int> number;  // index of a point -> index of its corner
   found.each_triangle([&](const std::array<int, 3>& of_points, const Vec3& outside) {
     std::array<int, 3> triangle{};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// The convex hull of points, by the library Qhull (Barber, Dobkin and Huhdanpaa, The Quickhull algorithm for
-// convex hulls, 1996).
+// Computes the convex hull of points, such as the corners of a link's mesh, with the library Qhull (Barber,
+// Dobkin and Huhdanpaa, The Quickhull algorithm for convex hulls, 1996).
 
 #include <optional>
 #include <span>

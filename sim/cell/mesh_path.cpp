@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Allowed {
-  std::string package;  ///< whose folder it is; empty: of any that lies in it
+  std::string package;  ///< package in this folder; empty: the folder contains folders of packages
   fs::path folder;
 };
 
@@ -33,7 +33,7 @@ std::vector<Allowed> allowed_folders() {
   return folders;
 }
 
-/// What a folder's package.xml calls it; empty: it has none.
+/// Returns the name of the package in the folder's package.xml; empty if there is none.
 std::string package_name(const fs::path& folder) {
   constexpr std::size_t kMostBytes = 1 << 16;
   constexpr std::string_view kOpening = "<name>";

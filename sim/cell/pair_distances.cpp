@@ -25,7 +25,7 @@ void PairDistances::move_to(double time, const JointVector& q) {
   const bool was_beyond = beyond_;
   beyond_ = !(q.cwiseAbs().array() <= travel_.array()).all();
   placed_ = false;
-  // The levers do not hold on the way back either.
+  // The levers are not valid beyond travel_, nor for the motion back from there.
   if (beyond_ || was_beyond) {
     for (Known& known : known_) known.q.resize(0);
   }

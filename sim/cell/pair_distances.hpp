@@ -23,7 +23,7 @@ class PairDistances {
 
   /// Returns a lower bound of the distance of pair k [m]; -infinity if no bound is known.
   double at_least(std::size_t k) const;
-  /// Computes the distance of pair k at the current places of arm and cell. Allocates nothing.
+  /// Computes the distance of pair k at the arm's current position and time. Allocates nothing.
   const Closest& compute(std::size_t k);
 
   const ClearanceModel& model() const { return *model_; }
@@ -42,7 +42,7 @@ class PairDistances {
   std::shared_ptr<const ClearanceModel> model_;
   std::vector<Known> known_;  ///< one per pair
   std::vector<Vec3> parts_;   ///< current positions of the parts of the cell
-  JointVector travel_;        ///< largest |q| for which the levers hold [m]; infinite for revolute joints
+  JointVector travel_;        ///< largest |q| at which the levers are valid [m]; infinite for revolute joints
   const JointVector* q_ = nullptr;
   bool beyond_ = false;  ///< true if the |q| of a joint exceeds travel_
   bool placed_ = false;  ///< true if poses_ was computed for *q_

@@ -6,7 +6,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Points whose convex hull holds the core of the solid, in S.
+/// Returns points in S whose convex hull contains the core of the solid.
 std::vector<Vec3> enclosing_points(const Solid& solid) {
   const Vec3& s = solid.size;
   switch (solid.kind) {

@@ -1,6 +1,6 @@
 #pragma once
-// A convex body (sphere, capsule, box, cylinder or convex hull) for the computation of distances. Links,
-// tools and the parts of a robot cell consist of such bodies.
+// Represents a convex body (sphere, capsule, box, cylinder or convex hull) for the computation of distances.
+// Links, tools and the parts of a robot cell consist of such bodies.
 
 #include <vector>
 

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kHeader = 84;    // 80 bytes of anything, then the number of triangles
-constexpr std::size_t kTriangle = 50;  // normal, three corners, two bytes of anything
+constexpr std::size_t kHeader = 84;    // 80 arbitrary bytes, then the number of triangles
+constexpr std::size_t kTriangle = 50;  // normal, three corners, two arbitrary bytes
 constexpr std::size_t kNormal = 12;
 
 std::uint32_t u32(const std::string& bytes, std::size_t at) {

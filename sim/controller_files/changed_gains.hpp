@@ -1,6 +1,6 @@
 #pragma once
-// Writes tuned gains back into the ROS parameter file of their controller. Only the numbers of
-// the gains change in the file; comments, layout and all other parameters stay.
+// Writes tuned gains back into the ROS parameter file of their controller. Only the numbers of the gains
+// change in the file. Comments, layout and all other parameters stay.
 
 #include <string>
 #include <vector>

@@ -16,22 +16,22 @@ namespace {
 
 using yaml::PlacedValue;
 
-constexpr double kFilter = 0.01;        // share of the last velocity in the next, in all of them
+constexpr double kFilter = 0.01;        // share of the last filtered velocity in the next, for all types
 constexpr double kTorqueRate = 1000.0;  // N m/s: 1 N m in each period of 1 ms
 constexpr const char* kCoriolisFactor = "coriolis_factor";
 
-/// The two lists, with armtune's names of their gains.
+/// The keys of the two lists, with armtune's names of the gains in them.
 constexpr std::pair<const char*, const char*> kLists[] = {{"k_gains", "joint_impedance_k"},
                                                           {"d_gains", "joint_impedance_d"}};
 
-/// What the controllers do beside spring and damper.
+/// The parts of the control law besides spring and damper. They depend on the controller's type.
 struct Options {
   double velocity_factor = 0.0;
   double coriolis_factor = 0.0;
   double torque_rate = 0.0;
 };
 
-/// The options of the controller's type.
+/// Returns the options of the controller's type. Throws InputError for an unknown type.
 Options options_of(const ParameterReader& reader) {
   const RosController& controller = reader.controller();
   const std::string name = controller.type.substr(controller.type.find_last_of('/') + 1);
@@ -51,7 +51,8 @@ Options options_of(const ParameterReader& reader) {
                   "JointImpedanceExampleController and, in ROS 2, JointImpedanceWithIKExampleController");
 }
 
-/// Lists without names are in the arm's order; names must be the arm's. Those with $(arg ...) are not known.
+/// Throws InputError if the file has joint names that are not the arm's, in its order. Lists without names
+/// are in the arm's order. Names that contain $(arg ...) are not known, and not checked.
 void require_joints(const ParameterReader& reader, const std::vector<std::string>& joints) {
   const PlacedValue* names = reader.controller().parameters->find("joint_names");
   if (names == nullptr) return;

@@ -1,6 +1,6 @@
 #pragma once
-// Reads the gains of a joint impedance controller from its ROS parameter file, as the example controllers for
-// Franka's arms have them: the lists k_gains and d_gains.
+// Reads the gains of a joint impedance controller from its ROS parameter file. The gains are in the lists
+// k_gains and d_gains, as in the example controllers for Franka's arms.
 
 #include <string>
 #include <vector>
@@ -11,14 +11,15 @@
 
 namespace armtune::internal {
 
-/// Returns the gains for an arm with these joints, in their order. The controller's type decides what else
-/// the law does (franka_ros c11f000, franka_ros2 40cf08b):
+/// Returns the gains for an arm with these joints, in their order. The controller's type determines the
+/// rest of the control law (franka_ros c11f000, franka_ros2 40cf08b):
 ///   - JointImpedanceExampleController in ROS 1: damps the velocity error, adds coriolis_factor times the
 ///     Coriolis torques, and limits the rate of the torques to 1000 N m/s;
 ///   - JointImpedanceExampleController in ROS 2: damps the velocity itself;
-///   - JointImpedanceWithIKExampleController in ROS 2: as before, and adds the Coriolis torques.
-/// Throws InputError "FILE:LINE: what" for another type, lists of another length than the arm's joints, other
-/// joint names than the arm's, and values that are not numbers.
+///   - JointImpedanceWithIKExampleController in ROS 2: damps the velocity itself and adds the Coriolis
+///     torques.
+/// Throws InputError "FILE:LINE: what" if the type is another one, the length of a list is not the number of
+/// joints, the joint names are not those of the arm, or a value is not a number.
 Gains joint_impedance_gains(const RosController& controller, const std::string& file,
                             const std::vector<std::string>& joints);
 

@@ -8,7 +8,7 @@
 
 namespace armtune::internal {
 
-/// The keys of the PID gains in a joint's map of the file. jtc_name() converts each to armtune's name.
+/// The keys of the PID gains in a joint's map in the file. jtc_name() converts each key to armtune's name.
 inline constexpr std::array kGainNames = {"p", "i", "d"};
 
 class JointParameters : public ParameterReader {

@@ -23,7 +23,7 @@ using yaml::PlacedValue;
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// What is asked of a file beyond where things stand in it.
+/// Reads the parameters of a controller and its joints, and refuses those that armtune cannot simulate.
 class Reader : public JointParameters {
  public:
   using JointParameters::JointParameters;
@@ -50,7 +50,8 @@ class Reader : public JointParameters {
            fmt::format("the file has no gains for {} of the arm; add them", fmt::join(missing, ", ")));
   }
 
-  /// The kind that its command interface asks for.
+  /// Returns the kind of controller, which its commands determine. Throws InputError for commands that
+  /// armtune cannot simulate.
   const char* kind() const {
     std::vector<std::string> commands;
     if (controller().ros2) {
@@ -76,7 +77,7 @@ class Reader : public JointParameters {
     return kJointTrajectoryVelocityController;
   }
 
-  /// The largest contribution of the integral, the same in both directions.
+  /// Returns the largest contribution of the integral. Throws InputError if it depends on the direction.
   double clamp(const std::string& joint) const {
     const double both = of_joint(joint, "i_clamp", kUnbounded);
     const double most = of_joint(joint, "i_clamp_max", both);
@@ -101,7 +102,7 @@ class Reader : public JointParameters {
                        "Jazzy does not clamp it. Give i_clamp; .inf means no clamp",
                        joint));
     }
-    return 1e6;  // N m, N, rad/s, m/s: beyond any joint
+    return 1e6;  // N m, N, rad/s, m/s: more than any joint can reach, so no clamp
   }
 
   void refuse_limits_of_output(const std::string& joint) const {
@@ -127,7 +128,7 @@ class Reader : public JointParameters {
     }
   }
 
-  /// 1: the integral itself is clamped; 0: its contribution.
+  /// Returns 1 if the integral itself is clamped, and 0 if only its contribution to the command is.
   double anti_windup(const std::string& joint) const {
     if (const PlacedValue* strategy = of_joint(joint, "antiwindup_strategy")) {
       if (strategy->text != "legacy")

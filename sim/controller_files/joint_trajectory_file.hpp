@@ -11,10 +11,10 @@
 
 namespace armtune::internal {
 
-/// Returns the gains for an arm with these joints, in their order. All other parameters are ignored. Throws
-/// InputError "FILE:LINE: what" if:
+/// Returns the gains for an arm with these joints, in their order. Parameters that are neither gains nor in
+/// the following list are ignored. Throws InputError "FILE:LINE: what" if:
 ///   - the file lacks a joint of the arm or has a joint that the arm lacks, or a value is not a number,
-///   - the controller commands anything but efforts alone or velocities alone,
+///   - the controller's commands are neither efforts alone nor velocities alone,
 ///   - a parameter requires something that armtune does not simulate: an integral clamp that differs in the
 ///     two directions, a limit of the output (u_clamp), anti-windup that depends on such a limit, anti-windup
 ///     of some joints only, an error deadband, angle wraparound, or open-loop control by velocities,

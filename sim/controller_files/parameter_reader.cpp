@@ -15,7 +15,8 @@
 namespace armtune::internal {
 namespace {
 
-/// 010 is octal to YAML 1.1, and 3e2 a text.
+/// Returns true if all YAML readers read the digits as the same number. YAML 1.1 reads 010 as octal. In
+/// ROS 1, 3e2 is a text.
 bool is_same_to_all(std::string_view digits, bool ros2) {
   if (digits.size() > 1 && digits[0] == '0' && digits[1] >= '0' && digits[1] <= '9') return false;
   return ros2 || digits.find_first_of("eE") == std::string_view::npos ||

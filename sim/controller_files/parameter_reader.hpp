@@ -21,7 +21,7 @@ class ParameterReader {
   /// Returns the number, which may be infinite (.inf). what: name of the parameter, for messages. Throws
   /// InputError if the value is not a plain number that all YAML readers read alike.
   double number(const yaml::PlacedValue& value, const std::string& what) const;
-  /// Returns the number. Throws InputError if it is infinite, too.
+  /// Does the same, but also throws InputError if the number is infinite.
   double finite(const yaml::PlacedValue& value, const std::string& what) const;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-// A gain that a ROS parameter file gives, with the place of its number in the file.
+// Represents a gain in a ROS parameter file by its value and the place of its number in the file. Tuned gains
+// are written back to this place.
 
 #include <string>
 
@@ -8,7 +9,7 @@
 namespace armtune::internal {
 
 struct PlacedGain {
-  const yaml::PlacedValue* at;  ///< null: the file has no number for it
+  const yaml::PlacedValue* at;  ///< null: the file has no number for this gain
   std::string name;             ///< for messages: "p of shoulder"
   double value;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Splits a CSV text into its cells, one after another (RFC 4180, any line end). Private to sim/csv.
+// Splits a CSV text into its cells, one after another (RFC 4180, any line end). Only sim/csv uses this.
 
 #include <cstddef>
 #include <string>
@@ -13,8 +13,8 @@ struct CsvCell {
   bool has_line_end = false;  ///< false in the last row of a text that ends without one
 };
 
-/// The cells of a text. A quoted cell is written back into the text without its quotes, and a doubled quote
-/// as a single one.
+/// Reads the cells of a text. This changes the text: a quoted cell is written back without its quotes, and a
+/// doubled quote as a single one.
 class CsvCells {
  public:
   explicit CsvCells(std::string& text) : text_(text) {}
@@ -50,7 +50,7 @@ class CsvCells {
     return true;
   }
 
-  /// Returns the line, counted from 1, of a quote that is still open at the end of the text; 0 if none is.
+  /// Returns the line, counted from 1, of a quote that is never closed; 0 if there is none.
   std::size_t open_quote_line() const { return open_quote_line_; }
 
  private:

@@ -17,7 +17,7 @@ namespace armtune::internal {
 /// is never closed.
 std::vector<std::string> read_csv_header(CsvCells& cells, const std::string& text, const std::string& file);
 
-/// Returns the size of the byte order mark that the text begins with; 0 without one.
+/// Returns the size of the byte order mark at the beginning of the text [byte]; 0 if there is none.
 std::size_t byte_order_mark(std::string_view text);
 
 /// Returns the index of a column, or nothing if there is none of that name.
@@ -28,8 +28,8 @@ std::optional<std::size_t> find_csv_column(const std::vector<std::string>& heade
 std::size_t csv_column(const std::vector<std::string>& header, const std::string& file,
                        std::string_view name);
 
-/// Returns a cell's number; NaN if the cell is empty. Throws InputError naming file, line and column if it
-/// holds anything else.
+/// Returns a cell's number; NaN if the cell is empty. Throws InputError naming file, line and column if the
+/// cell contains anything else.
 double csv_number(std::string_view cell, const std::string& file, std::size_t line,
                   const std::string& column);
 

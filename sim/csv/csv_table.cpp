@@ -11,15 +11,15 @@
 namespace armtune::internal {
 namespace {
 
-/// Two places of four bytes each: with the largest of files they stay below 500 MB. A user's file has no more
-/// of them where there is a digit in each.
+/// Every cell has two positions of four bytes, so that the largest table with its text stays below 500 MB. A
+/// user's file of the largest size has about this many cells if each is a single digit.
 constexpr std::size_t kMaxCells = 24'000'000;
 
 std::size_t max_bytes(CsvOrigin origin) {
   return (origin == CsvOrigin::kUser ? std::size_t{48} : std::size_t{256}) << 20;
 }
 
-/// At most as many as there are cells behind the header: what to reserve.
+/// Returns the number of commas and line ends. It is an upper bound of the number of cells below the header.
 std::size_t count_separators(std::string_view text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), ',') +
                                   std::count(text.begin(), text.end(), '\n'));

@@ -1,5 +1,5 @@
 #pragma once
-// A CSV file read into memory, with its columns found by name.
+// Reads a whole CSV file into memory. Its columns are found by name.
 
 #include <cstdint>
 #include <optional>
@@ -14,16 +14,19 @@ class CsvCells;
 /// The origin of a file. It decides how large the file may be, and whether a last row without a line end is
 /// used.
 enum class CsvOrigin {
-  kArmtune,  ///< up to 256 MB; such a row is left out, because the run was killed while writing it
+  kArmtune,  ///< up to 256 MB; such a row is left out, because the run was killed while writing the row
   kUser,     ///< up to 48 MB; such a row is used
 };
 
 class CsvTable {
  public:
-  /// Reads a file. Throws InputError with file and line for a file that cannot be read or is too large, one
-  /// without a header row, two columns of one name, a row with another number of cells than the header, and a
-  /// quote that is never closed. A byte order mark is skipped.
+  /// Reads a file. A byte order mark is skipped. Throws InputError with file and line if:
+  ///   - the file cannot be read, is too large or has no header row,
+  ///   - two columns have the same name,
+  ///   - a row has another number of cells than the header,
+  ///   - a quote is never closed.
   static CsvTable read(const std::string& path, CsvOrigin origin = CsvOrigin::kArmtune);
+  /// Does the same with the text of a file. name: name of the file in messages.
   static CsvTable parse(std::string text, std::string name, CsvOrigin origin = CsvOrigin::kArmtune);
 
   /// Returns the name of the file for messages.
@@ -37,7 +40,7 @@ class CsvTable {
   /// Returns the cell without its quotes.
   std::string text(std::size_t row, std::size_t column) const;
   /// Returns a number; NaN if the cell is empty. Throws InputError naming file, line and column if the cell
-  /// holds anything else.
+  /// contains anything else.
   double number(std::size_t row, std::size_t column) const;
   /// Returns the numbers of a column, one per row.
   std::vector<double> numbers(std::size_t column) const;

@@ -14,7 +14,8 @@ char find_separator(std::string_view first_line);
 std::string_view separator_name(char separator);
 
 /// Splits a line into cells (views of the line), without the blanks and quotes around each cell. A comma,
-/// semicolon or tab between double quotes does not end a cell. A blank as separator always does.
+/// semicolon or tab between double quotes does not end a cell. If the separator is a blank, every blank or
+/// tab ends a cell, also between quotes.
 void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
 }  // namespace armtune::internal

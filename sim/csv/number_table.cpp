@@ -19,7 +19,7 @@ constexpr std::size_t kBlock = std::size_t{1} << 20;
 constexpr std::size_t kMaxRowBytes = std::size_t{16} << 20;
 constexpr std::size_t kMaxCells = 40'000'000;  // 320 MB
 
-/// Place behind the last line end that is within no quotes; 0: there is none.
+/// Returns the position after the last line end outside of quotes; 0 if there is none.
 std::size_t end_of_whole_rows(std::string_view text) {
   std::size_t end = 0;
   bool quoted = false;

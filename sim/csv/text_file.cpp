@@ -21,7 +21,8 @@ namespace {
   throw InputError(InputPlace{path}, fmt::format("cannot {}: {}", what, std::strerror(errno)));
 }
 
-/// Fails for a file that could not be made: in the user's words, who named `path` and nothing beside it.
+/// Throws the InputError for a temporary file that could not be created. The message names `path`, as the
+/// user did, unless something else exists in the place of the temporary file.
 [[noreturn]] void fail_to_make(const std::string& path) {
   const int reason = errno;
   const std::string parent = std::filesystem::path(path).parent_path().string();
@@ -33,10 +34,10 @@ namespace {
         fmt::format("cannot write it: {} is not a folder; create it, or name another file", parent));
   }
   errno = reason;
-  fail(reason == EEXIST ? partial_path(path) : path, "write it");  // what stands there can be taken away
+  fail(reason == EEXIST ? partial_path(path) : path, "write it");  // the user can remove what is there
 }
 
-/// Takes the half-written file away, then fails.
+/// Deletes the incomplete temporary file, then throws InputError.
 [[noreturn]] void give_up(const std::string& partial, const std::string& path, const char* what) {
   const int reason = errno;
   ::unlink(partial.c_str());
@@ -44,7 +45,8 @@ namespace {
   fail(path, what);
 }
 
-/// Writes all of the text beside the path, to the disk; where that fails nothing is left. Returns the name.
+/// Writes the text to a temporary file beside `path`, flushes it to the disk and returns its path. If this
+/// fails, throws InputError and leaves no file.
 std::string write_partial(const std::string& path, std::string_view text) {
   std::string partial = partial_path(path);
   const int file = make_partial_file(path);
@@ -69,7 +71,7 @@ std::string partial_path(const std::string& path) {
 int make_partial_file(const std::string& path, int flags) {
   forget_input(path);
   const std::string partial = partial_path(path);
-  ::unlink(partial.c_str());  // of a run that was killed; where it cannot be taken away, open() says so
+  ::unlink(partial.c_str());  // left by a killed run; if it cannot be deleted, open() fails
   return ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC | flags, 0644);
 }
 
@@ -83,7 +85,7 @@ void write_new_text_file(const std::string& path, std::string_view text) {
   refuse_existing(path);
   const std::string partial = write_partial(path, text);
   bool placed = ::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) == 0;
-  if (!placed && (errno == EINVAL || errno == ENOSYS))  // this file system cannot tell in one step
+  if (!placed && (errno == EINVAL || errno == ENOSYS))  // the file system has no RENAME_NOREPLACE
     placed = std::rename(partial.c_str(), path.c_str()) == 0;
   if (!placed) give_up(partial, path, "create it");
   sync_folder_of(path);

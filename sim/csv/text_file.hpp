@@ -1,5 +1,5 @@
 #pragma once
-// Writes whole files atomically: another program sees the old file or the new one, never a part of it.
+// Writes whole files atomically: another program sees either the old file or the complete new one.
 
 #include <string>
 #include <string_view>
@@ -17,9 +17,9 @@ void write_new_text_file(const std::string& path, std::string_view text);
 /// Returns the path of the temporary file that later replaces the file at `path`: PATH.armtune.partial. No
 /// other program uses this ending.
 std::string partial_path(const std::string& path);
-/// Creates the temporary file for writing and returns its descriptor, or -1 with the reason in errno.
-/// Anything at that path is removed, not opened, so that nothing is written to a link or a file that another
-/// user put there. flags: further flags of open().
+/// Creates the temporary file for writing and returns its descriptor, or -1 with the reason in errno. If
+/// something exists at its path, it is removed and not opened, so that nothing is written to a link or a file
+/// that another user put there. flags: further flags of open().
 int make_partial_file(const std::string& path, int flags = 0);
 
 /// Creates the folder and its parents. Throws InputError with path and reason.

@@ -6,7 +6,7 @@ namespace armtune::internal {
 
 Processor best_processor() {
 #if defined(ARMTUNE_LANES_X86)
-  // All that the file is compiled for (sim/CMakeLists.txt).
+  // All extensions for which avx512_lanes.cpp is compiled (sim/CMakeLists.txt).
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma")) {
     return Processor::kAvx512;
@@ -20,7 +20,7 @@ bool runs_here(Processor processor) {
 #if defined(ARMTUNE_LANES_X86)
   return processor <= best_processor();
 #else
-  return processor <= Processor::kAvx512;  // all kernels are compiled for any processor
+  return processor <= Processor::kAvx512;  // here every file is compiled for any processor
 #endif
 }
 

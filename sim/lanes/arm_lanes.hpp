@@ -3,8 +3,8 @@
 // lane, that is, one element of every vector register. This interface is the same for all processors and
 // register widths.
 //
-// Numbers are written to a lane and read from it for one arm at a time. The steps between are computed for
-// all lanes at once. The results of a lane are bit-identical to those of core's functions for that arm alone.
+// Numbers are written to a lane and read from it for one arm at a time. All other steps are computed for all
+// lanes at once. The results of a lane are bit-identical to those of core's functions for that arm alone.
 //
 // The caller calls start() once for an arm. In every control period it calls these functions in this order:
 // sense, measure, seen, follow_task or follow_joints, resolve, torque, adapt, observe, observed, push, step,
@@ -22,7 +22,7 @@ namespace armtune::internal {
 
 /// The models, gains and start state of an arm whose rollout starts in a lane.
 struct LaneStart {
-  const double* control_chain;  ///< numbers of the controller's chain, in the order of for_each_number
+  const double* control_chain;  ///< numbers of the controller's chain, in the order of chain_numbers.hpp
   const double* plant_chain;
   InverseDamping damping;
   LawNumbers law;
@@ -101,7 +101,7 @@ class ArmLanes {
   virtual void follow_task(int lane, const LaneTask& task, const double* Kd) = 0;
   /// Sets the joint reference of this lane directly. Kd: n.
   virtual void follow_joints(int lane, const LaneReference& joints, const double* Kd) = 0;
-  /// Computes the joint references of the lanes that follow a task since the last measure().
+  /// Computes the joint references of the lanes for which follow_task() was called since the last measure().
   virtual void resolve() = 0;
   /// Writes the joint reference (n each) to these addresses. replace_reference() sets another one.
   virtual void reference(int lane, double* velocity, double* acceleration) const = 0;
@@ -117,7 +117,7 @@ class ArmLanes {
   virtual void replace_theta(int lane, const double* theta) = 0;
 
   /// Computes quantities of the true state. exact: true if the measurement was exact in every lane. The
-  /// results for the measured state are then used again.
+  /// results for the measured state are then used for the true state as well.
   virtual void observe(bool exact) = 0;
   virtual void observed(int lane, const LaneObserved& observed) const = 0;
 

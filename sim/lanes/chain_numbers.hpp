@@ -1,6 +1,7 @@
 #pragma once
-// Lists all numbers of a kinematic chain (geometry, inertia, friction, gravity) in one fixed order. With it,
-// the models of several arms are copied into the SIMD registers that simulate these arms at the same time.
+// Lists all numbers of a kinematic chain (geometry, inertia, friction, gravity) in one fixed order. This
+// order is used to copy the models of several arms into the SIMD registers that simulate these arms at the
+// same time.
 
 #include "core/robot/chain.hpp"
 

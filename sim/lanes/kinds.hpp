@@ -1,5 +1,5 @@
 #pragma once
-// Creates the simulators of several arms at the same time (SIMD), with one function per register width. Each
+// Creates simulators of several arms at the same time (SIMD). There is one function per register width. Each
 // arm has one lane, that is, one element of every vector register.
 
 #include <memory>

@@ -1,8 +1,9 @@
 #pragma once
-// Implements ArmLanes: computes W arms at the same time in SIMD vectors of W numbers, one number per arm.
+// Implements ArmLanes (arm_lanes.hpp). It computes W arms at the same time in SIMD vectors of W numbers, one
+// number per arm.
 //
-// Each file that includes this header is compiled for one kind of processor and is the only one with its W.
-// Code that is compiled for that processor is then never called on another (scripts/check-lanes).
+// Each file that includes this header is compiled for one kind of processor, and no other file uses the same
+// W. Code that is compiled for that processor is then never called on another (scripts/check-lanes).
 
 #include "core/common/pack.hpp"
 #include "core/control/laws/make_arm_law.hpp"

@@ -66,13 +66,13 @@ struct RolloutLanes::Lane {
   LaneJob job;
   RunningRollout running;
   ControlLogic logic;
-  JointVector q, qd;  ///< of the plant
+  JointVector q, qd;  ///< state of the plant
   ParameterVector theta;
   ArmView view;
-  Poses pose;  ///< of the tool, true
+  Poses pose;  ///< true pose of the tool
   int period = 0;
   World world;
-  const World* world_in = nullptr;  ///< its own, or that of a lane with the same scenario in the same period
+  const World* world_in = nullptr;  ///< `world`, or that of a lane with the same scenario and period
 };
 
 RolloutLanes::RolloutLanes(const LaneKind& kind, int lanes, Processor processor)
@@ -111,7 +111,7 @@ void RolloutLanes::start(int lane, LaneJob job) {
   }
   auto& place = lanes_[static_cast<std::size_t>(lane)];
   if (place) throw InputError("the lane for " + own.name + " is busy");
-  const FlushDenormals flush;  // as the rollout alone is begun
+  const FlushDenormals flush;  // as at the start of a single Rollout
   const bool first = busy_ == 0;
   place = std::make_unique<Lane>(std::move(job));
   ++busy_;
@@ -119,7 +119,7 @@ void RolloutLanes::start(int lane, LaneJob job) {
   const auto control = numbers_of(scenario.scenario.robot->chain);
   const auto plant = numbers_of(scenario.plant.chain);
   std::vector<const double*> own_gains;
-  // Lanes without a rollout go through the same arithmetic: they begin as an arm, not as nothing.
+  // Lanes without a rollout are computed too. The first rollout gives them its arm, to have valid numbers.
   for (int l = 0; l < lanes(); ++l) {
     if (l != lane && !(first && !is_busy(l))) continue;
     const JointCentering& centering = place->logic.centering();
@@ -165,7 +165,7 @@ void RolloutLanes::sense() {
     exact_ = exact_ && lane->running.measures_exactly();
   }
   if (some == nullptr || busy_ == lanes()) return;
-  // A lane without a rollout stays where an arm can be: what is far out takes longer.
+  // A lane without a rollout gets the state of another lane. Computing with extreme values takes longer.
   for (int l = 0; l < lanes(); ++l) {
     if (is_busy(l)) continue;
     const JointState& measured = some->running.measured();
@@ -235,7 +235,7 @@ void RolloutLanes::act() {
 }
 
 void RolloutLanes::move() {
-  const bool adaptive = kind_.law == ArmLawKind::kAdaptive;  // the one whose torque contains -Kd S
+  const bool adaptive = kind_.law == ArmLawKind::kAdaptive;  // only this law's torque contains -Kd S
   std::array<bool, kMostLanes> moving{};
   for (int l = 0; l < lanes(); ++l) {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();

@@ -1,7 +1,8 @@
 #pragma once
-// Simulates several scenarios at the same time with SIMD instructions, in armtune's own dynamics. Each
-// rollout (one simulated scenario) has one lane of the vector registers. It begins and ends independently of
-// the others. Its result is bit-identical to that of a single Rollout with Engine::kNative.
+// Simulates several scenarios at the same time with SIMD instructions, in armtune's own dynamics. A rollout
+// is one simulated scenario. Each rollout has one lane, that is, one element of every vector register. It
+// begins and ends independently of the other rollouts. Its result is bit-identical to that of a single
+// Rollout with Engine::kNative.
 
 #include <functional>
 #include <memory>
@@ -55,8 +56,9 @@ class RolloutLanes {
   /// Starts a rollout in a lane that is not busy. Throws InputError if the lane is busy, if the job's
   /// scenario is not of this kind, or if lane_law() returns nothing for its gains.
   void start(int lane, LaneJob job);
-  /// Computes one control period of every busy lane. Each rollout that ends with it is passed to `finished`,
-  /// which may start another rollout in that lane. Allocates nothing except for rollouts that end.
+  /// Computes one control period of every busy lane. Each rollout that ends with this period is passed to
+  /// `finished`, which may start another rollout in the same lane. Allocates nothing except for rollouts that
+  /// end.
   void step(const Finished& finished);
 
  private:

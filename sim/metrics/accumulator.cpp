@@ -9,11 +9,12 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Tracking counts from this long after followTrajectory was entered [s].
+/// Time after the start of the state followTrajectory from which tracking errors count [s].
 constexpr double kSettlingTime = 1.0;
 
-/// Difference between the turn rate of the tool's z axis and that of the line to the target [rad/s]; of the
-/// tool and the orientation that is wanted, where there is one.
+/// Returns the difference between the angular velocities of the tool's z axis and of the line to the target
+/// [rad/s]. If the task gives an orientation, returns the difference between the angular velocities of the
+/// tool and of that orientation.
 double gaze_rate_error(const Observation& o) {
   const Vec3 z = o.poses->R_0T.col(2);
   const Vec3 w = o.twist.tail<3>();
@@ -27,7 +28,7 @@ double gaze_rate_error(const Observation& o) {
       .norm();
 }
 
-/// A smallest value, or NaN where nothing had one.
+/// Returns a minimum, or NaN if it is still infinite because there was no value.
 double finite_or_nan(double smallest) {
   return smallest < kInfinity ? smallest : NAN;
 }
@@ -92,7 +93,7 @@ void MetricAccumulator::add(const Observation& o) {
   }
   compensation_.add(o.compensation_error);
   if (aims_) add_gaze(o, switched);
-  // Half a period's grace against rounding of k * dt.
+  // The tolerance of half a period allows for the rounding of k * dt.
   if (state_ == ControlState::kFollowTrajectory && !o.control->slerping &&
       o.time - entered_ >= kSettlingTime - 0.5 * period_) {
     add_tracking(o);
@@ -195,7 +196,7 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kJointPositionMinMargin:
       return finite_or_nan(min_margin_);
     case Metric::kJointEffortMaxRatio:
-      // A torque over a limit of zero has no ratio.
+      // With an effort limit of zero the ratio is infinite, and the metric has no value.
       return first_ || max_effort_ratio_ == kInfinity ? NAN : max_effort_ratio_;
     case Metric::kJointEffortSaturatedPeriods:
       return first_ ? NAN : static_cast<double>(saturated_periods_);

@@ -1,6 +1,6 @@
 #pragma once
-// Computes the metrics of a rollout, such as tracking errors and distances from limits. They are updated in
-// every control period while the rollout runs.
+// Computes the metrics of a rollout (one simulated scenario), such as tracking errors and distances from
+// limits. They are updated in every control period while the rollout runs.
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,8 @@ class Spread {
 };
 
 /// Measures the time from each event until a value stays below a threshold, and keeps the longest of these
-/// times. Here an event is a switch of the gaze to another target, and the value is the gaze error.
+/// times. Here an event is a switch of the tool's aim to another target. The value is the gaze error, that
+/// is, the angle from the tool's z axis to the line to the target.
 class Reacquisition {
  public:
   /// Records a new event at t [s], and ends the measurement for the previous event.
@@ -56,13 +57,13 @@ class MetricAccumulator {
   MetricAccumulator(const RobotModel& model, double threshold, double period);
 
   /// Sets the target that was active before the first period, so that a target switch in the first period
-  /// counts. Needed if the rollout may begin at such a switch.
+  /// counts. This is needed if the rollout may begin at such a switch.
   void look_from(std::size_t target) {
     target_ = target;
     from_before_ = true;
   }
 
-  /// Leaves out the metrics of the gaze. Used for tasks in which the tool does not aim at a target.
+  /// Leaves out the metrics of the gaze. Call it for tasks in which the tool does not aim at a target.
   void aim_at_nothing() { aims_ = false; }
 
   void add(const Observation& o);
@@ -91,7 +92,7 @@ class MetricAccumulator {
   double entered_ = 0.0;
   bool first_ = true;
   long periods_ = 0;
-  bool aims_ = true;          ///< the gaze is at a target
+  bool aims_ = true;          ///< the tool aims at a target
   bool from_before_ = false;  ///< target_ is known before the first period
   std::size_t target_ = 0;
 

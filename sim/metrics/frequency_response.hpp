@@ -1,6 +1,7 @@
 #pragma once
-// The frequency response of a control loop at the harmonics of a base frequency. The order of a harmonic is
-// its number of cycles in one base period. Each harmonic has its own Fourier sums of reference and response.
+// Computes the frequency response of a control loop at the harmonics of a base frequency. The order of a
+// harmonic is its number of cycles in one base period. Each harmonic has its own Fourier sums of reference
+// and response.
 
 #include <complex>
 #include <vector>
@@ -22,9 +23,9 @@ class FrequencyResponse {
   double frequency(std::size_t i) const { return bins_[i].order / base_period_; }  ///< [Hz]
 
   /// Returns the lowest frequency [Hz] at which the gain falls to 1/sqrt(2), that is, by 3 dB. Between two
-  /// orders the gain is interpolated by a straight line in logarithmic scales. If the gain never falls so
-  /// far, returns the frequency of the highest order. If the gain is already lower at the lowest order,
-  /// returns the frequency of that order. Returns NaN without samples.
+  /// orders the gain is interpolated by a straight line in logarithmic scales. If the gain never falls to
+  /// this value, returns the frequency of the highest order. If the gain is already lower at the lowest
+  /// order, returns the frequency of that order. Returns NaN without samples.
   double bandwidth() const;
 
  private:

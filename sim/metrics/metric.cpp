@@ -4,9 +4,9 @@
 
 namespace armtune::internal {
 
-// Tracking errors count in followTrajectory from 1 s after it was entered, outside a slerp; joint errors in
-// followPlan; gaze and compensation count always after leaveSingularity, followPlan included; limits count
-// always. All from the plant's true state.
+// All metrics are computed from the plant's true state. Tracking errors count in the state followTrajectory,
+// from 1 s after its start and outside of slerps. Joint errors count in followPlan. Gaze and compensation
+// errors count in all states except leaveSingularity. Limits always count.
 const std::array<MetricField, kMetricCount>& metric_fields() {
   using enum Better;
   using enum Course;
@@ -132,7 +132,7 @@ std::optional<Metric> metric_from_name(std::string_view name) {
 }
 
 std::string contact_text(const Metrics& metrics) {
-  constexpr double kKnownDepth = 1e-6;  // m: bodies of flat faces only know that they meet (closest.hpp)
+  constexpr double kKnownDepth = 1e-6;  // m: of flat-faced bodies the depth is not known (closest.hpp)
   constexpr std::array kTouched = {"an obstacle", "another link of the arm", "a part of the cell",
                                    "the floor"};
   static_assert(kTouched.size() == kContactMetrics.size());

@@ -1,6 +1,6 @@
 #pragma once
-// Declares all metrics of a rollout in one place: name, unit, meaning, and a short phrase for messages.
-// Studies, result files and reports take their metrics from this list.
+// Declares all metrics of a rollout (one simulated scenario) in one place: name, unit, meaning, and a short
+// phrase for messages. Studies, result files and reports take their metrics from this list.
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
-// The data of one control period of a rollout: the plant's true state, the controller's output and the
-// resulting errors. Metrics and recordings are computed from it.
+// The data of one control period of a rollout (one simulated scenario): the plant's true state, the
+// controller's output and the resulting errors. Metrics and recordings are computed from these data.
 
 #include "core/control/laws/controller.hpp"
 #include "sim/cell/clearance_watch.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-// Rise time, overshoot, settling time and steady-state error of a step response (Ogata, Modern Control
-// Engineering, 5.3), computed sample by sample.
+// Computes rise time, overshoot, settling time and steady-state error of a step response (Ogata, Modern
+// Control Engineering, 5.3), sample by sample.
 
 namespace armtune::internal {
 

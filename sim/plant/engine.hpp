@@ -7,7 +7,7 @@
 namespace armtune::internal {
 
 enum class Engine {
-  kSimbody,  ///< the library Simbody, which computes all reported values
+  kSimbody,  ///< the library Simbody; all reported values are computed with it
   kNative    ///< armtune's own articulated-body dynamics in core; several times faster, for searches
 };
 

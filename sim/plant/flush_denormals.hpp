@@ -1,6 +1,6 @@
 #pragma once
-// Makes the processor flush denormal floating-point numbers to zero during a simulation. They would slow it
-// down by up to a factor of two and carry no information here.
+// Makes the processor flush denormal floating-point numbers to zero during a simulation. Denormal numbers
+// carry no information here, and they would slow the simulation down by up to a factor of two.
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -8,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// A guard that flushes denormals to zero on this thread while it lives. A rollout then gives the same bits
-/// on every thread.
+/// Flushes denormals to zero on this thread as long as this object lives. A simulated scenario then gives the
+/// same bits on every thread.
 class FlushDenormals {
  public:
 #if defined(__x86_64__)

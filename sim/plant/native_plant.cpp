@@ -1,4 +1,5 @@
-// The arm in core's own dynamics. What a Simbody plant of the same model and stepper does, to rounding.
+// Simulates the arm by core's own dynamics. Except for rounding, the motion is the same as that of a Simbody
+// plant with the same model and stepper.
 
 #include "armtune/error.hpp"
 #include "core/robot/forward_dynamics.hpp"

@@ -1,5 +1,5 @@
-// The only file of the libraries that includes Simbody. It is compiled as C++17, with NDEBUG only if Simbody
-// was (cmake/Simbody.cmake says why).
+// Simulates the arm by Simbody. No other file of the libraries includes Simbody. This file is compiled as
+// C++17, with NDEBUG only if Simbody was (cmake/Simbody.cmake says why).
 
 #include <functional>  // Simbody's headers use it without including it
 
@@ -31,7 +31,8 @@ SimTK::MassProperties to_simbody(const LinkInertia& link) {
           SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))};
 }
 
-/// Torque minus friction, evaluated at every acceleration: held over a period, Coulomb friction diverges.
+/// Computes the torque minus friction, for every evaluation of the accelerations. With Coulomb friction that
+/// stays constant over a period, the simulation would diverge.
 void net_torque(const Chain& chain, const JointVector& qd, const JointVector& torque, JointVector& net) {
   net.resize(chain.n);
   for (int i = 0; i < chain.n; ++i) {
@@ -40,7 +41,7 @@ void net_torque(const Chain& chain, const JointVector& qd, const JointVector& to
   }
 }
 
-/// The links as a Simbody tree. Simbody has no rotor inertia; those who use the tree add it.
+/// The links as a Simbody tree. Simbody has no rotor inertia, so the users of the tree add it.
 class Tree {
  public:
   explicit Tree(const Chain& chain)
@@ -53,9 +54,9 @@ class Tree {
       if (chain.motion[k] == JointMotion::kRevolute) {
         parent = SimTK::MobilizedBody::Pin(parent, X_PB0, body, SimTK::Transform());
       } else {
-        // Simbody slides along x, our joints along z: a turn by -pi/2 about y. Not by the constructor from
-        // angle and axis, which writes through a view of a row that is larger than what is left of the matrix
-        // (Row<3, double, 3>): g++ sees that as an access beyond its end once the sanitizers let it look.
+        // Simbody's slider moves along x, armtune's prismatic joint along z: a turn by -pi/2 about y. The
+        // constructor from angle and axis is not used. It writes through a view of a row (Row<3, double, 3>)
+        // that extends beyond the matrix, and g++ with sanitizers reports this as an access out of bounds.
         const SimTK::Mat33 R(0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0);
         const SimTK::Transform x_to_z(SimTK::Rotation(R, true));
         parent = SimTK::MobilizedBody::Slider(parent, X_PB0 * x_to_z, body, x_to_z);
@@ -74,8 +75,8 @@ class Tree {
   SimTK::Force::Gravity gravity_;
 };
 
-/// Adds what Simbody lacks, rotor inertia D and friction over a step. Simbody gives q0'' = M^-1 (tau - h);
-/// q'' = (M + D + A)^-1 (M q0'' + a), with the inertia A and the force a that friction adds.
+/// Adds rotor inertia D and friction over a step, which Simbody lacks. Simbody gives q0'' = M^-1 (tau - h).
+/// The result is q'' = (M + D + A)^-1 (M q0'' + a), with the inertia A and the force a that friction adds.
 class JointInertia {
  public:
   explicit JointInertia(const Chain& chain)
@@ -83,7 +84,7 @@ class JointInertia {
         rotors_(!chain.rotor_inertia.isZero(0.0)),
         friction_(!chain.viscous_friction.isZero(0.0) || !chain.coulomb_friction.isZero(0.0)) {}
 
-  /// friction: null at an instant.
+  /// friction: null for the acceleration at an instant, without a step.
   void correct(const JointVector& q, const JointVector& qd, const FrictionStep<double>* friction,
                JointVector& qdd) {
     const bool over_a_step = friction != nullptr && friction_;
@@ -99,8 +100,8 @@ class JointInertia {
   }
 
  private:
-  /// Finds the inertia that each joint moves with those behind it free, by elimination from the last joint
-  /// on.
+  /// Adds the terms of friction to M_ and rhs_. They depend on the inertia that each joint moves while the
+  /// joints after it are free. Elimination from the last joint to the first gives this inertia.
   void add(const FrictionStep<double>& friction, const JointVector& qd) {
     rest_ = M_;
     for (Eigen::Index k = chain_.n - 1; k >= 0; --k) {
@@ -123,7 +124,8 @@ class JointInertia {
   Eigen::LLT<JointMatrix> llt_;
 };
 
-/// Accelerations from Simbody's realization, stepped by our own rules: the fastest correct use of it.
+/// Simulates the arm with accelerations from Simbody and armtune's own steppers. This is the fastest correct
+/// way to use Simbody.
 class SimbodyPlant final : public SteppedPlant {
  public:
   SimbodyPlant(const RobotModel& model, Stepper stepper)
@@ -176,8 +178,8 @@ class SimbodyPlant final : public SteppedPlant {
   JointVector net_;
 };
 
-/// Joint torque, friction and the rotors' share -D q'' as a force element, so that Simbody's own integrators
-/// see the whole arm. q'' comes from core's dynamics.
+/// A force element with joint torque, friction and the rotors' inertial torque -D q''. With it, Simbody's own
+/// integrators simulate the whole arm. q'' comes from core's dynamics.
 class DriveForce final : public SimTK::Force::Custom::Implementation {
  public:
   explicit DriveForce(const Chain& chain) : chain_(chain), torque(JointVector::Zero(chain.n)) {}
@@ -191,7 +193,7 @@ class DriveForce final : public SimTK::Force::Custom::Implementation {
       qd[i] = state.getU()[i];
     }
     net_torque(chain_, qd, torque, net);
-    Chain links = chain_;  // without what the mobility force itself stands for
+    Chain links = chain_;  // without friction, which `net` contains
     links.viscous_friction.setZero();
     links.coulomb_friction.setZero();
     Poses poses;
@@ -212,11 +214,11 @@ class DriveForce final : public SimTK::Force::Custom::Implementation {
   JointVector torque;
 };
 
-/// A control period that chatters would keep the error control busy for ever.
+/// Limit for one control period. With a motion that chatters, the error control would otherwise never end.
 constexpr int kMostReferenceSteps = 20000;
 
-/// The reference: Simbody's error-controlled Runge-Kutta-Merson, restarted at every control period because
-/// the torque jumps there.
+/// The reference plant. It uses Simbody's error-controlled Runge-Kutta-Merson integrator, restarted in every
+/// control period because the torque jumps there.
 class SimbodyReferencePlant final : public Plant {
  public:
   explicit SimbodyReferencePlant(const RobotModel& model)
@@ -229,7 +231,7 @@ class SimbodyReferencePlant final : public Plant {
     tree_.system().realizeModel(state_);
     integrator_.setAccuracy(1e-10);
     integrator_.setAllowInterpolation(false);
-    integrator_.setReturnEveryInternalStep(true);  // so that they can be counted
+    integrator_.setReturnEveryInternalStep(true);  // so that the steps can be counted
     set_state(JointVector::Zero(model.n()), JointVector::Zero(model.n()));
   }
 

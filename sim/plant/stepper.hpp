@@ -1,5 +1,6 @@
 #pragma once
-// Integrates the motion q'' = f(q, q') of the simulated arm over one control period with a fixed step.
+// Integrates the motion q'' = f(q, q') of the simulated arm over one control period, with a fixed step or
+// with the engine's own integrator.
 
 #include <array>
 #include <string>
@@ -42,9 +43,10 @@ struct StepWorkspaceT {
 };
 using StepWorkspace = StepWorkspaceT<double>;
 
-/// Advances q and qd (n) by h [s]. f(q, qd, qdd) writes the accelerations to qdd. In the plants, f treats
-/// stiff friction implicitly (core/robot/friction_step.hpp). For this, f may use the qd at the start of the
-/// step, because qd changes only after the last call of f. Not to be called with Stepper::kReference.
+/// Advances q and qd (n) by one step of h [s]. f(q, qd, qdd) writes the accelerations to qdd. In the plants,
+/// f treats stiff friction implicitly (core/robot/friction_step.hpp). For this, f may use the qd at the start
+/// of the step, because qd changes only after the last call of f. Must not be called with
+/// Stepper::kReference.
 template <typename T, typename Accelerations>
 void integrate(Stepper stepper, const T& h, Accelerations&& f, JointVectorT<T>& q, JointVectorT<T>& qd,
                StepWorkspaceT<T>& w) {

@@ -1,6 +1,7 @@
 #pragma once
-// Computes the motion of the gaze targets that the controller receives. Without a camera it is the true
-// motion. With one, it is estimated by a filter from the noisy positions that the camera measures.
+// Computes the motion of the gaze targets, at which the tool points, as the controller receives it. Without a
+// camera it is the true motion. With a camera, a filter estimates it from the noisy positions that the camera
+// measures.
 
 #include <random>
 #include <vector>

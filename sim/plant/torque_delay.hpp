@@ -12,7 +12,7 @@ class TorqueDelay {
   /// n: number of joints; periods >= 0. The torque is zero until the first command arrives.
   TorqueDelay(int n, int periods) : line_(static_cast<std::size_t>(periods) + 1, JointVector::Zero(n)) {}
 
-  /// Takes this period's command and returns the one of `periods` periods ago.
+  /// Takes this period's command and returns the command of `periods` control periods ago.
   const JointVector& pass(const JointVector& command) {
     line_[next_] = command;
     next_ = (next_ + 1) % line_.size();

@@ -1,6 +1,6 @@
 #pragma once
-// Declares all columns of the CSV file of a recorded rollout in one place: name, unit, meaning, and the
-// function that computes the value.
+// Declares all columns of the CSV file of a recorded rollout (one simulated scenario) in one place: name,
+// unit, meaning, and the function that computes the value.
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
-// Limits on metrics. A rollout that exceeds one is abandoned to save time. Each of these metrics is a
-// maximum, a minimum or a count: once it is beyond its limit it stays there, and the rest of the rollout is
-// useless.
+// Defines limits of metrics at which a rollout (one simulated scenario) is abandoned to save time. Each of
+// these metrics is a maximum, a minimum or a count. Once such a metric is beyond its limit, it stays there,
+// and the rest of the rollout is useless.
 
 #include <vector>
 

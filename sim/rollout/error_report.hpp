@@ -17,7 +17,7 @@ struct ScenarioResult {
   std::string scenario;
   RolloutResult result;
   std::vector<BrokenLimit> broken = {};  ///< limits of the arm that were exceeded, the earliest first
-  LeastClearances nearest = {};          ///< smallest distances; points into the scenario's clearance model
+  LeastClearances nearest = {};          ///< smallest distances; refers to the scenario's clearance model
   std::optional<Shake> shake = {};       ///< the first joint whose torque oscillates
 };
 

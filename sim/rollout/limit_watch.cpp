@@ -8,7 +8,7 @@
 namespace armtune::internal {
 namespace {
 
-/// The unit of a joint's limit.
+/// Returns the unit of a joint's limit. turning: true for a revolute joint.
 const char* unit(JointLimit limit, bool turning) {
   switch (limit) {
     case JointLimit::kVelocity:

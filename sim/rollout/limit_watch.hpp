@@ -12,8 +12,8 @@
 
 namespace armtune::internal {
 
-/// The kinds of limits of a joint: those that a URDF gives, and that of the acceleration, which a robot YAML
-/// can give.
+/// The kinds of limits of a joint. A URDF gives all of them except the acceleration limit, which only a robot
+/// YAML can give.
 enum class JointLimit : std::size_t { kVelocity, kPosition, kEffort, kAcceleration };
 inline constexpr std::array kJointLimits = {JointLimit::kVelocity, JointLimit::kPosition, JointLimit::kEffort,
                                             JointLimit::kAcceleration};
@@ -36,24 +36,23 @@ constexpr const char* name(JointLimit limit) {
 struct BrokenLimit {
   JointLimit limit = JointLimit::kVelocity;
   std::string joint;
-  double time = 0.0;   ///< [s]
-  double value = 0.0;  ///< true velocity, position or acceleration, or commanded effort, in the URDF's units
-  double bound = 0.0;  ///< limit times share, with the sign of the side that was exceeded
+  double time = 0.0;      ///< [s]
+  double value = 0.0;     ///< true velocity, position or acceleration, or commanded effort, in `unit`
+  double bound = 0.0;     ///< limit times share, with the sign of the side that was exceeded
   std::string unit = {};  ///< of value and bound
   double share = 1.0;     ///< allowed fraction of the limit
 };
 
 class LimitWatch {
  public:
-  /// model: the arm that is observed; no reference to it is kept. share: the fraction of the
-  /// velocity, effort and acceleration limits above which they count as exceeded. It does not apply to
-  /// position limits.
+  /// model: the arm that is observed; no reference to it is kept. share: the velocity, effort and
+  /// acceleration limits count as exceeded above this fraction of them. It does not apply to position limits.
   explicit LimitWatch(const RobotModel& model, double share = 1.0);
 
   /// Checks one control period. Call it once per period. Allocates nothing.
   void look(const Observation& o);
 
-  /// True once any limit was exceeded.
+  /// Returns true if any limit has been exceeded.
   bool any() const {
     return std::any_of(found_.begin(), found_.end(), [](const Found& found) { return found.joint >= 0; });
   }

@@ -1,6 +1,6 @@
 #pragma once
-// A scenario with the data that all of its rollouts share: the model of the simulated arm, and the dynamic
-// parameters (theta) of controller and arm. They are computed once.
+// Computes once the data that all rollouts (simulations) of a scenario share: the model of the simulated arm,
+// and the dynamic parameters (theta) of controller and arm.
 
 #include "core/robot/theta.hpp"
 #include "sim/scenario/scenario.hpp"

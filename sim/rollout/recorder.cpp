@@ -11,8 +11,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Of two periods of a row, the earlier one first. A value that is not a number stays: it is the worst there
-/// is.
+/// Combines the values of an earlier and a later period of a row. NaN counts as the worst value and therefore
+/// stays.
 double folded(Over over, double before, double value) {
   if (over == Over::kThisPeriod || std::isnan(value)) return value;
   if (std::isnan(before)) return before;

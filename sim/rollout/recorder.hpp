@@ -1,5 +1,6 @@
 #pragma once
-// Records the time series of a rollout, with one row for every k-th control period, and writes it as CSV.
+// Records the time series of a rollout (one simulated scenario), with one row for every k-th control period,
+// and writes it as CSV.
 
 #include <string>
 
@@ -9,16 +10,16 @@ namespace armtune::internal {
 
 class Recorder {
  public:
-  /// Keeps a row for the first control period and then for every `stride`-th (>= 1). Columns with the largest
-  /// or smallest value (Over) include the periods between two rows in the second row.
+  /// Keeps a row for the first control period and then for every `stride`-th (>= 1). A column with the
+  /// largest or smallest value (Over) also covers the periods since the previous row.
   Recorder(const Scenario& scenario, int stride);
 
   /// Records one control period. It is an Observer and always returns true.
   bool operator()(const Observation& o);
 
-  /// Returns the values row by row, one per column. completed: true if the rollout ran to its end. Then the
-  /// columns with the largest or smallest value include the periods after the last row in that row. If it is
-  /// false, the last period gets a row of its own, because that period shows why the rollout failed.
+  /// Returns the values row by row, one per column. completed: true if the rollout ran to its end. In the
+  /// last row, the columns with the largest or smallest value then also cover the periods after this row. If
+  /// the rollout did not complete, its last period gets a row of its own, because it shows what went wrong.
   std::vector<double> rows(bool completed = true) &&;
   std::vector<double> rows(bool completed = true) const& { return Recorder(*this).rows(completed); }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The outcome of a rollout: its status, when and why it ended, and its metrics.
+// Describes the outcome of a rollout (one simulated scenario): its status, when and why it ended, and its
+// metrics.
 
 #include <functional>
 #include <string>
@@ -11,8 +12,8 @@ namespace armtune::internal {
 
 enum class RolloutStatus {
   kCompleted,
-  kDiverged,    ///< the state left every sensible range, or the engine failed
-  kHopeless,    ///< abandoned at one of its end limits
+  kDiverged,    ///< a joint's state is not finite or far too fast (divergence.hpp), or the engine failed
+  kHopeless,    ///< abandoned because a metric reached its limit (end_limit.hpp)
   kNoSamples,   ///< ran to the end without a planned motion, but no period counted as tracking
   kInterrupted  ///< stopped by the caller
 };
@@ -40,8 +41,8 @@ struct RolloutResult {
   Metrics metrics;        ///< over all periods up to the end
 };
 
-/// A function that is called once per control period, after the controller and before the plant moves. It
-/// returns false to stop the rollout.
+/// A function that is called once per control period, after the controller and before the plant (the
+/// simulated arm) moves. It returns false to stop the rollout.
 using Observer = std::function<bool(const Observation&)>;
 
 }  // namespace armtune::internal

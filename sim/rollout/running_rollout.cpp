@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-/// The first limit that is reached, or null.
+/// Returns the first limit that is reached, or null.
 const EndLimit* reached(const EndLimits& limits, const MetricAccumulator& metrics) {
   for (const EndLimit& limit : limits) {
     if (limit.reached_by(metrics.so_far(limit.metric))) return &limit;
@@ -101,7 +101,7 @@ bool RunningRollout::judge(const Observer& observer) {
 
 void RunningRollout::moved(const JointVector& q, const JointVector& qd, const std::string& failure) {
   ++k_;
-  // Sums of what is not finite are not either.
+  // A sum with a term that is not finite is not finite either.
   const bool sane = (qd.array().abs() <= diverged_velocity_.array()).all() && std::isfinite(q.sum());
   if (sane && failure.empty()) return;
   std::string why = failure.empty() ? diverged_joint(*scenario_.robot, q, qd)

@@ -1,10 +1,11 @@
 #pragma once
-// The state of a rollout that is being simulated: time, sensors, torque delay, metrics, and whether it has
-// ended. It contains the parts that all simulators share. Its callers compute the controller and the plant,
-// for one arm alone (Rollout) or for several at the same time (RolloutLanes).
+// Holds the state of a rollout (one simulated scenario) while it runs: time, sensors, torque delay, metrics,
+// and whether it has ended. These are the parts that all simulators share. The callers compute the controller
+// and move the plant (the simulated arm), for one rollout alone (Rollout) or for several at the same time
+// (RolloutLanes).
 //
-// In a control period the caller does these steps in this order. It calls sense(), computes the controller,
-// calls act(), fills in the true state, calls judge(), moves the plant and calls moved().
+// In every control period, the caller does these steps in this order: it calls sense(), computes the
+// controller, calls act(), fills in the true state, calls judge(), moves the plant and calls moved().
 
 #include <optional>
 #include <string>

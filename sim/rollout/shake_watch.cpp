@@ -8,17 +8,17 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kSmallest = 0.5;   // swing from turn to turn, over the effort limit
-constexpr double kSlowest = 0.1;    // s from turn to turn: 5 Hz
-constexpr int kFewest = 10;         // swings: five whole periods
-constexpr double kSameTime = 0.05;  // s: of joints that begin so close together the fastest is the cause
+constexpr double kSmallest = 0.5;   // smallest swing between turning points, divided by the effort limit
+constexpr double kSlowest = 0.1;    // s, longest time between turning points: 5 Hz
+constexpr int kFewest = 10;         // fewest swings: five whole periods
+constexpr double kSameTime = 0.05;  // s: among joints that begin within this time, the fastest is the cause
 
 }  // namespace
 
 ShakeWatch::ShakeWatch(const RobotModel& model)
     : joints_(joint_names(model)), effort_(model.effort_limits()), turning_(joints_.size()) {}
 
-/// The torque turned at its extreme.
+/// Records that the torque turned at its extreme.
 void ShakeWatch::turn(Turning& joint) {
   Run& run = joint.run;
   if (run.turns == 0 || joint.at - run.ended > kSlowest)
@@ -38,7 +38,7 @@ void ShakeWatch::look(const Observation& o) {
     const double share = std::clamp(o.control->commanded[k] / effort_[k], -1.0, 1.0);
     if (std::isnan(share)) continue;
     if (joint.direction == 0) {
-      // Until then the lowest and the highest so far.
+      // While the direction is not known: the lowest and the highest torque so far.
       joint.turned = looked_ ? std::min(joint.turned, share) : share;
       joint.extreme = looked_ ? std::max(joint.extreme, share) : share;
       if (joint.extreme - joint.turned < kSmallest) continue;

@@ -14,7 +14,7 @@ namespace armtune::internal {
 /// A joint that shakes, or shook for a while.
 struct Shake {
   std::string joint;
-  double time = 0.0;       ///< when it began [s]
+  double time = 0.0;       ///< when the shaking began [s]
   double frequency = 0.0;  ///< mean [Hz]
   double swing = 0.0;      ///< largest torque change from one turning point to the next, divided by the
                            ///< effort limit; at most 2
@@ -30,11 +30,11 @@ class ShakeWatch {
   void look(const Observation& o);
 
   /// Returns the joint that shook first, or nothing if none did. Among joints that began at about the same
-  /// time it is the one with the highest frequency.
+  /// time, this is the one with the highest frequency.
   std::optional<Shake> first() const;
 
  private:
-  /// A series of turning points that follow each other fast enough.
+  /// A series of turning points of the torque that follow each other fast enough.
   struct Run {
     int turns = 0;
     double began = 0.0, ended = 0.0;  ///< time of the first and the last turning point [s]

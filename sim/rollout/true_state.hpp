@@ -6,20 +6,20 @@
 
 namespace armtune::internal {
 
-/// Fills in the errors and the gaze of `o`, whose poses (of the tool), twist, control and target_motion are
-/// set. exact: true if the controller computed its gaze from this very pose and target.
+/// Fills in the errors and the gaze angle of `o`. The tool's pose in o.poses, twist, control and
+/// target_motion must be set. exact: true if the controller computed its gaze from exactly this pose and
+/// target.
 void see_errors(bool exact, Observation& o);
 
-/// The workspace and the constants for the observations of one rollout.
+/// Completes the observations of one rollout, with a workspace of its own.
 class TrueState {
  public:
   /// theta_true (13 n): parameters of the plant. Both arguments must outlive this object.
   TrueState(const RobotModel& model, const ParameterVector& theta_true)
       : chain_(model.chain), theta_true_(theta_true) {}
 
-  /// Completes `o`, whose time, q, qd, control, theta, target and target_motion are set. If the controller
-  /// measured the arm exactly, its kinematics and tracking errors are taken over instead of being computed
-  /// again.
+  /// Completes `o`, in which time, q, qd, control, theta, target and target_motion are set. If the controller
+  /// measured the arm exactly, its kinematics and tracking errors are reused instead of computed again.
   void observe(const RunningRollout& running, const Controller& controller, Observation& o);
 
  private:

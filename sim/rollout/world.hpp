@@ -1,6 +1,6 @@
 #pragma once
-// The surroundings of the arm in one control period: gaze target, point on the tool's path, and obstacles.
-// They depend only on time, not on the motion of the arm.
+// Computes the surroundings of the arm in one control period: gaze target (the point at which the tool's z
+// axis aims), point on the tool's path, and obstacles. They depend only on time, not on the arm's motion.
 
 #include <optional>
 #include <vector>

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kExtension = ".yaml";
-constexpr std::size_t kLongestName = 200;  // file systems have 255 bytes with the extension
+constexpr std::size_t kLongestName = 200;  // file systems allow 255 bytes, including the extension
 
 bool looks_like_path(const std::string& text) {
   return text.find('/') != std::string::npos || text.ends_with(kExtension) || text.ends_with(".yml") ||

@@ -8,18 +8,19 @@
 namespace armtune::internal {
 
 /// Returns the path of the file `name_or_path`. A text with a '/' or with the extension of a data or robot
-/// file is a path. Any other text is the name of a bundled file in `folder` ("robots", "scenarios", "gains",
-/// "studies"). relative_to: the folder in which a relative path is tried first, for example the folder of the
-/// file that contains the path; may be empty. Throws InputError if there is no such file. If a name was
-/// given, the message lists the bundled files.
+/// file (such as .yaml or .urdf) is a path. Any other text is the name of a bundled file in `folder`
+/// ("robots", "scenarios", "gains", "studies"). relative_to: the folder in which a relative path is tried
+/// first, for example the folder of the file that contains the path; may be empty. Throws InputError if there
+/// is no such file. If a name was given, the message lists the bundled files.
 std::string find_data_file(const std::string& folder, const std::string& name_or_path,
                            const std::string& relative_to = {});
 
 /// Returns the names of the bundled files of a folder, sorted.
 std::vector<std::string> bundled_names(const std::string& folder);
 
-/// Returns the folder that holds the bundled data: $ARMTUNE_DATA if it is set, else share/armtune beside the
-/// program's bin/, else the folder where the data was installed. Throws InputError if the data is not there.
+/// Returns the folder with the bundled data. This is $ARMTUNE_DATA if it is set. Otherwise it is
+/// share/armtune beside the folder of the program or, if that has no data, the folder where the data was
+/// installed. Throws InputError if the data is not there.
 std::string data_folder();
 
 /// Returns a reference by which another machine finds the same file: the name of a bundled file, or the

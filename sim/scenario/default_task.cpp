@@ -20,30 +20,30 @@ namespace armtune::internal {
 namespace {
 
 constexpr int kHalvings = 3;
-constexpr double kRadius = 0.09;     // of the reach
-constexpr double kAhead = 0.35;      // of the reach
-constexpr double kNearest = 0.15;    // of the reach, where the floor is closer than kAhead
-constexpr double kApart = 0.1;       // of the reach, each target from the middle
-constexpr double kAboveFloor = 0.1;  // m
-constexpr double kFolded = 0.08;     // of the reach, from the tool to the arm itself
-constexpr double kFromCell = 0.05;   // m, of links; from each other they are anything above zero
-constexpr double kLightLoad = 0.5;   // of an effort limit: less need not be sought
-constexpr int kStartHalvings = 5;    // of the start's distance from the goal
-constexpr double kModelScale = 0.8;  // the masses that the controller begins with over those of the arm
-constexpr double kTurn = 10.0;       // s
+constexpr double kRadius = 0.09;     // radius of the circle, as a share of the reach
+constexpr double kAhead = 0.35;      // distance of the targets ahead of the tool, as a share of the reach
+constexpr double kNearest = 0.15;    // the smallest such distance, if the floor is closer than kAhead
+constexpr double kApart = 0.1;       // distance of a target from the middle, as a share of the reach
+constexpr double kAboveFloor = 0.1;  // m, smallest height
+constexpr double kFolded = 0.08;     // smallest distance from the tool to the arm, as a share of the reach
+constexpr double kFromCell = 0.05;   // m, smallest distance of a link from its surroundings
+constexpr double kLightLoad = 0.5;   // share of an effort limit that is allowed on the way to the task
+constexpr int kStartHalvings = 5;    // largest number of halvings of the start's distance from the goal
+constexpr double kModelScale = 0.8;  // parameters with which the controller starts, as a share of the model's
+constexpr double kTurn = 10.0;       // s, one lap of the circle
 constexpr double kDuration = 30.0;   // s
-constexpr double kSwitch = 7.5;      // s
+constexpr double kSwitch = 7.5;      // s, between target switches
 constexpr double kCentering = 0.2;   // 1/s
-constexpr double kSingular = 1e-4;   // m^3, for a reach of 1 m: anything less is one by rounding
+constexpr double kSingular = 1e-4;   // m^3, for a reach of 1 m: a smaller manipulability counts as singular
 
-/// Height of the floor; without one, lower than anything.
+/// Returns the height of the floor [m], or -infinity if there is no floor.
 double floor_of(const RobotModel& robot, const TaskOptions& options) {
   const double none = -std::numeric_limits<double>::infinity();
   if (options.cell) return options.cell->floor.value_or(none);
   return options.floor.value_or(assumes_floor(robot, options) ? 0.0 : none);
 }
 
-/// Three digits: what a person would write.
+/// Rounds to three decimals, as a person would write the number.
 double rounded(double x) {
   return std::round(x * 1e3) / 1e3;
 }
@@ -51,7 +51,8 @@ Vec3 rounded(const Vec3& x) {
   return {rounded(x.x()), rounded(x.y()), rounded(x.z())};
 }
 
-/// How far ahead of the tool the targets are: the lower one on the floor at most.
+/// Returns the distance of the targets ahead of the tool [m]. It is reduced if the lower target would
+/// otherwise be below the floor.
 double distance_ahead(const Poses& poses, const RobotModel& robot, double floor, double size) {
   const double down = -height_of(poses.R_0T.col(2), robot);
   const double aside = kApart * size * std::abs(height_of(poses.R_0T.col(0), robot));
@@ -71,19 +72,19 @@ void put_task(const Poses& poses, double ahead, double size, double shrunk, Scen
                       {"right", {rounded(Vec3(middle - aside)), 0.0, 0.0, {}}}};
 }
 
-/// Puts circle, targets, goal and start where they fit, and remembers what stood in the way.
+/// Finds places for circle, targets, goal and start, and remembers why other places were rejected.
 class Placing {
  public:
   Placing(DefaultTask& task, double floor, bool thorough)
       : task_(task), arm_(*task.scenario.robot), floor_(floor), thorough_(thorough), size_(reach(arm_)) {}
 
-  /// The task at the first places that do, `count` of them or all that there are.
+  /// Returns tasks at the first places that fit, at most `count`.
   std::vector<DefaultTask> first(std::size_t count) {
     std::vector<DefaultTask> found;
     const double lowest = floor_ + kAboveFloor + kRadius * size_;
     const std::vector<TaskPlace> places = task_places(arm_, task_.scenario.mask, lowest, thorough_);
-    // Better a smaller circle than one that leads to a joint's limit.
-    std::set<std::pair<int, std::size_t>> close;  // halvings of places that only their margin is against
+    // A smaller circle is preferred to one that leads close to a joint's limit.
+    std::set<std::pair<int, std::size_t>> close;  // (halvings, place): rejected for the margin alone
     for (int halving = 0; halving <= kHalvings; ++halving) {
       for (std::size_t k = 0; k < places.size(); ++k) {
         const Fit fit = place_at(places[k], 1.0 / (1 << halving), 0.5 * kEnoughMargin);
@@ -101,7 +102,7 @@ class Placing {
     return found;
   }
 
-  /// What stood in the way of a task that the arm could follow otherwise; empty if there was none.
+  /// Returns the reason why circles that the arm could follow were rejected; empty if there were none.
   std::string obstacle() const {
     if (lightest_.value < PathWalk::kUnseen) {
       const JointInfo& joint = arm_.joints[static_cast<std::size_t>(loaded_)];
@@ -128,7 +129,7 @@ class Placing {
  private:
   enum class Fit { kNone, kCloseToALimit, kGood };
 
-  /// least_margin: share of a joint's range that the whole task has to keep from its limits.
+  /// least_margin: smallest distance from a joint's limits on the whole task, as a share of its range.
   Fit place_at(const TaskPlace& place, double shrunk, double least_margin) {
     if (!(place.manipulability > kSingular * std::pow(size_, 3))) return Fit::kNone;
     Scenario& scenario = task_.scenario;
@@ -140,7 +141,7 @@ class Placing {
       return Fit::kNone;
     }
     put_task(poses, ahead, size_, shrunk, scenario);
-    // From the circle's centre to where it begins.
+    // At the place, the tool is at the centre of the circle. The goal is where the circle begins.
     task_.goal = place.q;
     ToolGoal begin{scenario.path.at(0.0).position, {}};
     if (tracks_orientation(scenario.mask)) begin.target = scenario.targets[0].path.center;
@@ -156,8 +157,8 @@ class Placing {
     return Fit::kGood;
   }
 
-  /// Joint positions (n) off the goal, from which the way to it burdens no joint much more than the task
-  /// does.
+  /// Returns start positions (n) off the goal. They are moved closer to the goal if the way to it loads a
+  /// joint more than the task does and more than kLightLoad.
   JointVector start_off(const JointVector& goal) const {
     const Chain loaded = with_payload(arm_, task_.scenario.plant.payload).chain;
     const JointVector efforts = arm_.effort_limits();
@@ -172,7 +173,7 @@ class Placing {
     return goal + away;
   }
 
-  /// Whether the arm touches something on a way that it could follow otherwise, which is remembered.
+  /// Returns true if the arm touches something on a walk that it could follow otherwise, and remembers what.
   bool touches(const PathWalk& walk) {
     if (!can_follow(walk)) return false;
     for (const LeastClearance& least : walk.nearest) {
@@ -188,13 +189,13 @@ class Placing {
     return false;
   }
 
-  /// Two bodies that come too close to each other, as a clause; empty: none do.
+  /// Returns a clause about two bodies that come too close to each other; empty if there are none.
   std::string too_near(const PathWalk& walk) const {
     for (const LeastClearance& least : walk.nearest) {
       if (least.pair == nullptr) continue;
       const std::string pair = task_.scenario.clearance->name(*least.pair);
       const bool self = least.pair->of == Clearance::kSelf;
-      // The first two links are where the arm stands, whatever its task.
+      // In every task, the first two links are close to where the arm is mounted.
       const int body = task_.scenario.clearance->arm().solids[least.pair->solid].body;
       if (!self && body > 1 && least.distance < kFromCell)
         return fmt::format("{} come closer than {} m to each other", pair, kFromCell);
@@ -202,7 +203,8 @@ class Placing {
     return {};
   }
 
-  /// Whether nothing but the arm's own motion stands in the way of a walk that is clear.
+  /// Returns true if a walk without contact keeps all distances and no load on it is too large. Otherwise
+  /// remembers the reason.
   bool is_free(const PathWalk& walk) {
     if (walk.low.value < floor_ + kAboveFloor) {
       ++lows_;
@@ -231,11 +233,11 @@ class Placing {
   bool thorough_;
   double size_;
   WalkPlace lightest_{0.0, Vec3::Zero(),
-                      PathWalk::kUnseen};  ///< of the walks that only their load was against
-  int loaded_ = 0;                         ///< joint whose load it is
-  std::string near_;                       ///< two bodies that would come too close
-  int lows_ = 0;                           ///< places that are too low
-  int nears_ = 0;                          ///< and those where bodies come too close
+                      PathWalk::kUnseen};  ///< smallest load of the walks rejected for their load alone
+  int loaded_ = 0;                         ///< joint with this load
+  std::string near_;                       ///< clause about two bodies that come too close
+  int lows_ = 0;                           ///< number of places that are too low
+  int nears_ = 0;                          ///< number of places where bodies come too close
   bool folded_ = false;
 };
 
@@ -261,9 +263,9 @@ std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, 
   scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, std::move(cell));
   task.in_given_cell = options.cell.has_value();
   task.without_floor = options.without_floor;
-  // Of an arm whose shapes are not known there is nothing to say.
+  // If the arm's shapes are not known, there are no distances to compute.
   if (scenario.clearance->pairs().empty()) scenario.clearance.reset();
-  // A slow task is not longer than it needs to be: twice round, and a look at either target and back.
+  // A slow task is as long as it needs to be for two laps, and for both targets and the first one again.
   scenario.duration = std::max({kDuration, 2.0 * kTurn * options.slowness, 3.0 * kSwitch * options.slowness});
   scenario.control_period = 0.002;
   scenario.switch_every = kSwitch * options.slowness;
@@ -276,7 +278,7 @@ std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, 
   for (int i = 0; i < arm.n(); ++i) mass += arm.chain.link[static_cast<std::size_t>(i)].mass;
   scenario.plant.payload.mass = rounded(0.02 * mass);
   std::string obstacle;
-  // The gaze leaves the roll to the arm: that many joints less are needed.
+  // The gaze leaves the roll about the tool's z axis free, and therefore needs one joint less than a pose.
   for (const TaskMask mask : {TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
     scenario.mask = mask;
     if (components(mask) > arm.n()) continue;

@@ -1,6 +1,7 @@
 #pragma once
-// Generates a first scenario for an arm from its URDF alone. The tool follows a circle at a place where the
-// arm moves well, and aims at two targets ahead of it in turn. Users tune on it and edit it.
+// Generates a first scenario for an arm from its URDF alone, for users to tune gains on and to edit. The tool
+// follows a circle at a place where the arm moves well, and its z axis (the gaze) aims alternately at two
+// targets ahead of the tool.
 
 #include <memory>
 #include <optional>
@@ -18,7 +19,7 @@ struct TaskOptions {
   std::optional<double> floor;
   /// Cell around the arm, with or without a floor. If it is empty, the surroundings are the floor alone.
   std::optional<Cell> cell;
-  bool without_floor = false;    ///< no floor, not even below an upright arm
+  bool without_floor = false;    ///< true: no floor, not even below an upright arm
   std::optional<TaskMask> mask;  ///< empty: position and gaze, or position alone if no such task is found
   bool thorough = false;  ///< tries ten times as many positions, for an arm that can hardly hold its weight
   /// Factor on the duration of one lap of the circle and on the time between target switches [1]. Meant for
@@ -41,19 +42,20 @@ struct DefaultTask {
 };
 
 /// Returns a task that the arm can do. The circle is perpendicular to the tool's z axis. Its radius is 0.09
-/// of the arm's reach, or down to an eighth of that where the arm's limits require it. Places are preferred
-/// where the arm moves well, the tool looks down and the load is light.
+/// of the arm's reach, and is halved up to three times if no place for a larger circle is found. The search
+/// prefers places where the arm moves well, the tool points down and the load is light.
 ///
 /// On the whole circle:
-///   - the tool and the joints from the third on stay 0.1 m above the floor,
+///   - the tool and the joints from the third on stay at least 0.1 m above the floor,
 ///   - the tool stays clear of the arm,
-///   - links whose shapes are known do not touch each other, and from the third on stay 0.05 m clear of the
-///     cell,
+///   - links whose shapes are known do not touch each other, and those from the third on stay at least 0.05 m
+///     clear of the cell and the floor,
 ///   - the torque that holds the arm still is at most 0.85 of each joint's effort limit.
 ///
 /// The simulation starts at joint positions off the circle. These are moved closer to the circle if holding
-/// the arm still on the way to the circle takes too much torque: more of an effort limit than on the circle,
-/// and more than half of it. At least 1/32 of the original distance remains.
+/// the arm still on the way to it takes too much torque. A torque is too much if it is more than half of a
+/// joint's effort limit and a larger share of a limit than anywhere on the circle. At least 1/32 of the
+/// original distance remains.
 ///
 /// The arm tracks position and gaze. It tracks the position alone if it has too few joints for both, or if no
 /// place for both is found. The plant has noise, a delay of one period and a payload of two per cent of the

@@ -9,7 +9,7 @@
 namespace armtune::internal {
 
 /// Returns the task as the text of a scenario file. robot: the name or path of the robot in that file. A cell
-/// that was given is not written, because it belongs to the robot file.
+/// that was given in TaskOptions is not written, because it belongs to the robot file.
 std::string default_task_yaml(const DefaultTask& task, const std::string& robot);
 
 }  // namespace armtune::internal

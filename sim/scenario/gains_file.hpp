@@ -35,9 +35,9 @@ using GainsKeys = std::vector<std::string>;
 inline const GainsKeys kPublishedKeys = {"simple_effort_ctrl"};
 inline constexpr const char* kRos2Parameters = "ros__parameters";  ///< the last key of a ROS 2 file
 
-/// Returns the gains as the text of a gains file. Numbers read back to the same bits, also for readers of
-/// YAML 1.1 and for readers that distinguish 5 from 5.0, as those of ROS do. header: comment lines without
-/// '#'. others: further keys and their values in YAML, to be written after the gains. If `keys` contains
+/// Returns the gains as the text of a gains file. Numbers read back to the same bits, also in readers of
+/// YAML 1.1 and in readers that distinguish 5 from 5.0, such as ROS. header: comment lines without '#'.
+/// others: further keys and their values in YAML, which are written after the gains. If `keys` contains
 /// `ros__parameters`, a list of lists is written as one flat list, because ROS 2 has no lists of lists.
 std::string gains_yaml(const Gains& gains, const std::vector<std::string>& header,
                        const GainsKeys& keys = kPublishedKeys,

@@ -12,11 +12,11 @@
 namespace armtune::internal {
 namespace {
 
-/// How far a row may lie beside the motion of the rows before it, in position [rad, m] and velocity [rad/s,
-/// m/s]: what numbers of six digits leave.
+/// Largest differences of a row from the motion that the previous row gives, in position [rad, m] and
+/// velocity [rad/s, m/s]. Numbers with six digits cause differences up to about this size.
 constexpr double kPositionJump = 1e-5;
 constexpr double kVelocityJump = 1e-4;
-/// A planner's limits hold but for its own tolerance [rad, m].
+/// Tolerance of position limits, because planners have a tolerance too [rad, m].
 constexpr double kBeyondLimit = 1e-6;
 constexpr int kLooks = 32;
 
@@ -48,7 +48,7 @@ void MotionChecks::between_knots() const {
     const MotionPoint<JointVector>& knot = points_.points[k];
     const double h = points_.time[k + 1] - points_.time[k];
     for (int i = 0; i < robot_.n(); ++i) {
-      // v + a s + j s^2 / 2 = 0, in the form that divides by no small number.
+      // The joint reverses where v + a s + j s^2 / 2 = 0. This form of the solution avoids cancellation.
       const double v = knot.velocity[i], a = knot.acceleration[i];
       const double j = (points_.points[k + 1].acceleration[i] - a) / h;
       const double root = std::sqrt(std::max(0.0, a * a - 2.0 * j * v));

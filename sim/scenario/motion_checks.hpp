@@ -1,6 +1,6 @@
 #pragma once
-// Checks that a joint motion from a user's file fits the robot: it stays within the joints' limits and has no
-// jumps.
+// Checks that a joint motion from a user's file fits the robot: it stays within the joints' position limits
+// and has no jumps.
 
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/joint_spline.hpp"
@@ -15,19 +15,20 @@ class MotionChecks {
   MotionChecks(const RobotModel& robot, const MotionPoints& points, const char* degrees)
       : robot_(robot), points_(points), degrees_(degrees) {}
 
-  /// Throws InputError naming the first point whose position is outside a joint's limits.
+  /// Throws InputError naming the first point that is outside a joint's position limits.
   void at_points() const;
 
-  /// Throws InputError if a joint leaves its limits between two points. It assumes that the acceleration is
-  /// linear between them, and checks the positions where each joint reverses.
+  /// Throws InputError if a joint leaves its position limits between two points. It assumes that the
+  /// acceleration is linear in time between the points, and checks the positions where each joint reverses.
   void between_knots() const;
 
-  /// Throws InputError if a joint leaves its limits between two points. motion: any motion through the
-  /// points. It is checked at 31 times between each point and the next.
+  /// Throws InputError if a joint leaves its position limits between two points. motion: any motion through
+  /// the points. It is checked at 31 instants between each point and the next.
   void between_points(const JointSpline& motion) const;
 
   /// Throws InputError naming the first point that does not match the point before it. Two points match if a
-  /// motion with linear acceleration from the first one reaches the position and velocity of the second one.
+  /// motion whose acceleration is linear in time leads from the first one to the position and velocity of the
+  /// second one.
   void steps() const;
 
  private:

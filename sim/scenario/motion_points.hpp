@@ -1,6 +1,6 @@
 #pragma once
-// The points of a joint motion that was read from a user's file. The values of each point are in the order of
-// the arm's joints.
+// Holds the points of a joint motion that was read from a user's file. The values of each point are in the
+// order of the arm's joints.
 
 #include <string>
 #include <vector>

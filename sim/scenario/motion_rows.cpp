@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kLatest = 1e8;  // s: three years, and a fifteenth of a Unix time stamp
+constexpr double kLatest = 1e8;  // s: three years; Unix time stamps are over ten times larger
 
 }  // namespace
 

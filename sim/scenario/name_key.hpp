@@ -7,8 +7,8 @@
 
 namespace armtune::internal {
 
-/// Returns the value of the key `name`. Throws InputError, with file and line, if it is missing, or if it has
-/// a character that terminals and files of results cannot show.
+/// Returns the value of the key `name`. Throws InputError, with file and line, if the name is missing or
+/// empty, or if it contains a character that is not printable (see is_printable).
 std::string read_name(yaml::MapReader& map);
 
 }  // namespace armtune::internal

@@ -19,7 +19,8 @@ namespace {
 constexpr long kMostRandomTargets = 1000;
 constexpr double kLargestBody = 100.0;  // m
 
-/// Fails at the name's node if the last of these has the name of another: schedules and results go by names.
+/// Throws InputError at the name's node if the last element has the name of another one. Names must be unique
+/// because schedules and results refer to them.
 template <typename Named>
 void refuse_second_of_name(const std::vector<Named>& all, const yaml::Node& node) {
   const auto is_so_named = [&all](const Named& other) { return other.name == all.back().name; };
@@ -28,7 +29,7 @@ void refuse_second_of_name(const std::vector<Named>& all, const yaml::Node& node
         fmt::format("two entries of this list are named {}; rename one of them", shown(all.back().name)));
 }
 
-/// Of an item that may have keys of its own beside them.
+/// Reads the name and the path of an item, which may have further keys.
 NamedPath read_named_path(yaml::MapReader& map, std::vector<std::string>& inputs) {
   const std::string name = read_name(map);
   return {name, read_path(map, inputs)};

@@ -13,11 +13,11 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kUnit = 1e-3;  // by which a quaternion's length may miss 1
-constexpr int kSamples = 2000;  // of a turn of harmonics
+constexpr double kUnit = 1e-3;  // largest difference of a quaternion's length from 1
+constexpr int kSamples = 2000;  // per lap of a path of harmonics
 constexpr int kSamplesOfAPiece = 30;
 constexpr double kFastest = 100.0;   // rad/s
-constexpr double kLeastSine = 0.05;  // of path and approach
+constexpr double kLeastSine = 0.05;  // of the angle between path and approach
 constexpr std::array kKeys{"rpy_deg", "quaternion", "along_path", "waypoints"};
 
 Eigen::Quaterniond read_rpy(const yaml::Node& node) {
@@ -39,7 +39,7 @@ Eigen::Quaterniond read_quaternion(const yaml::Node& node) {
   return quaternion.normalized();
 }
 
-/// Times [s] close enough together to see every corner of a path.
+/// Returns times [s] that are close enough together to find every corner of a path.
 std::vector<double> times_along(const Path& path) {
   std::vector<double> times;
   const auto add = [&times](double from, double to, int samples) {
@@ -56,7 +56,7 @@ std::vector<double> times_along(const Path& path) {
   return times;
 }
 
-/// Throws InputError at `node` where the path does not say how the tool is to be turned.
+/// Throws InputError at `node` if the path does not determine the tool's orientation, or turns it too fast.
 void check_along(const yaml::Node& node, const Path& path, const ToolOrientation& along) {
   if (path.rests()) node.fail("the path does not move and therefore has no direction; give rpy_deg");
   const Vec3& approach = *along.approach;

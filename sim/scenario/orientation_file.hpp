@@ -19,9 +19,9 @@ namespace armtune::internal {
 ///   waypoints: FILE.csv           columns time, qw, qx, qy, qz: a spline through them, at rest at both ends
 ///
 /// path: the tool's path in the same scenario. File names are relative to the folder of the file that
-/// contains them. Files that are read are added to `inputs`. Throws InputError with file, line and key. With
-/// along_path it also throws, with the time, if the path stops or reverses, if the path is parallel to
-/// [x, y, z], or if the tool would turn faster than 100 rad/s.
+/// contains them. The names of waypoint files that this reads are added to `inputs`. Throws InputError with
+/// file, line and key. With along_path it also throws, with the time, if the path stops or reverses, if it is
+/// nearly parallel to [x, y, z], or if the tool would turn faster than 100 rad/s.
 // clang-format on
 ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::vector<std::string>& inputs);
 

@@ -28,23 +28,23 @@ Vec3 read_vec3(const yaml::Node& node) {
   return Vec3(node.as_numbers(3).data());
 }
 
-/// A vector that says a direction or an extent.
+/// Reads a vector that gives a direction or an extent, and must not be zero.
 Vec3 read_extent(const yaml::Node& node) {
   Vec3 extent = read_vec3(node);
   if (extent.isZero(0.0)) node.fail("this vector is zero; it must have a direction and a length");
   return extent;
 }
 
-/// Beyond these a double does not tell one period from the next; what moves so fast is no motion of an arm.
+/// Beyond these limits a double cannot distinguish one period from the next. No arm moves that fast.
 constexpr double kFastest = 1e6;    // rad/s
 constexpr double kMostTurns = 1e6;  // rad
 
 constexpr double kFarthest = 1e6;   // m
-constexpr double kSpeediest = 1e6;  // m/s, m/s^2, as of waypoints
+constexpr double kSpeediest = 1e6;  // m/s, m/s^2, as for waypoints
 constexpr double kLongest = 1e9;    // s
 
-/// Throws InputError at `node` for a motion through knots whose times, velocities or accelerations would
-/// overflow, or are not those of an arm.
+/// Throws InputError at `node` if the duration, positions, velocities or accelerations of a motion through
+/// knots could overflow or are too large for an arm.
 void require_sensible(const PositionSpline& spline, const yaml::Node& node) {
   if (!(spline.end() - spline.begin() <= kLongest))
     node.fail(fmt::format("the path takes {:.3g} s; at most {:.0e} s is allowed",
@@ -65,13 +65,13 @@ void require_sensible(const PositionSpline& spline, const yaml::Node& node) {
   }
 }
 
-/// Sums of the largest numbers that a file can hold have no number.
+/// Returns the distance as text. It is infinite for the sum of the largest numbers that a file can contain.
 std::string distance_text(double metres) {
   return std::isfinite(metres) ? fmt::format("{:.3g}", metres) : "over 1e308";
 }
 
-/// Throws InputError at `node` for a path whose highest harmonic, phase or extent is none that can be
-/// followed.
+/// Throws InputError at `node` if the extent, the highest frequency or the phase of a path is too large for
+/// an arm.
 void require_sensible(const Path& path, const yaml::Node& node) {
   int highest = 1;
   double farthest = path.center.stableNorm();
@@ -98,7 +98,7 @@ double read_positive(const yaml::Node& node, const char* unit) {
   return value;
 }
 
-/// What all closed curves have.
+/// Reads the keys that all closed curves have.
 Path read_turning(yaml::MapReader& map) {
   Path path;
   path.center = read_vec3(map.required("center"));
@@ -107,8 +107,8 @@ Path read_turning(yaml::MapReader& map) {
   return path;
 }
 
-/// Two unit vectors that span the plane with this normal, the first as near to the x axis as it can be; the
-/// second is a right-handed quarter turn on.
+/// Returns two unit vectors that span the plane with this normal. The first is as close as possible to the x
+/// axis, or to the y axis if the normal is nearly along x. The second is a right-handed quarter turn further.
 std::array<Vec3, 2> plane_of(const Vec3& normal) {
   const Vec3 n = normal.stableNormalized();
   constexpr double kAlmostOne = 0.99;
@@ -136,7 +136,7 @@ Path read_ellipse(const yaml::Node& node, const Files&) {
   return path;
 }
 
-/// p = c + l sin(phi) + w sin(2 phi): both loops are gone through in one period.
+/// Reads the curve p = c + l sin(phi) + w sin(2 phi). One period covers both loops.
 Path read_figure_eight(const yaml::Node& node, const Files&) {
   yaml::MapReader map(node);
   Path path = read_turning(map);

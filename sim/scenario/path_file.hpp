@@ -28,9 +28,9 @@ namespace armtune::internal {
 ///       a sum of harmonics (path.hpp)
 ///
 /// start_deg is the point of the curve where the motion begins; 360 degrees are one lap. File names are
-/// relative to the folder of the file that contains them. Files that are read are added to `inputs`.
-/// of_poses: true for the path of a tool whose orientation comes from waypoints, which may be in the same
-/// file. Throws InputError with file, line and key.
+/// relative to the folder of the file that contains them. The names of waypoint files that this reads are
+/// added to `inputs`. of_poses: true if a waypoint file may also have the columns of the tool's orientation.
+/// Throws InputError with file, line and key.
 // clang-format on
 Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs, bool of_poses = false);
 

@@ -12,25 +12,25 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kStep = 0.02;         // s
-constexpr double kLongestStep = 0.05;  // s: TaskGoal's errors die at 3 /s
-constexpr long kMostSteps = 20000;     // thirty walks of them take seconds
-constexpr double kOffPath = 1e-3;      // m: the inverse kinematics itself is a hundred times closer
-constexpr double kSingular = 0.02;     // of the largest manipulability of the walk
+constexpr double kLongestStep = 0.05;  // s: short enough for the errors of TaskGoal, which decay at 3 /s
+constexpr long kMostSteps = 20000;     // thirty walks with so many steps take seconds
+constexpr double kOffPath = 1e-3;      // m: the inverse kinematics itself is a hundred times more accurate
+constexpr double kSingular = 0.02;     // as a share of the largest manipulability of the walk
 
-/// Whether nothing in the cell moves.
+/// Returns true if no part of the cell moves.
 bool parts_rest(const Scenario& scenario) {
   if (!scenario.clearance) return true;
   const auto& parts = scenario.clearance->cell().parts;
   return std::all_of(parts.begin(), parts.end(), [](const CellPart& part) { return part.path.rests(); });
 }
 
-/// One turn is as good as many where nothing else moves.
+/// Returns the time that a walk must cover [s]. One lap of the path is enough if nothing else moves.
 double walked_time(const Scenario& scenario) {
   const bool targets_rest =
       parts_rest(scenario) && std::all_of(scenario.targets.begin(), scenario.targets.end(),
                                           [](const NamedPath& target) { return target.path.rests(); });
   const double rest = scenario.next_switch(0.0) < scenario.duration ? scenario.duration : 1.0;
-  // A turn through waypoints does not come round with the path.
+  // A rotation through waypoints does not repeat with the path.
   const bool turns = scenario.orientation && scenario.orientation->turn;
   if (!targets_rest || turns) return scenario.duration;
   if (scenario.path.rests()) return std::min(scenario.duration, rest);
@@ -38,7 +38,7 @@ double walked_time(const Scenario& scenario) {
   return turn > 0.0 ? std::min(scenario.duration, std::max(rest, turn)) : scenario.duration;
 }
 
-/// What the tool is to aim at. `wanted` keeps the orientation that it points to.
+/// Returns the desired aim of the tool. `wanted` stores the orientation to which the result refers.
 ToolAim aim_at(const Scenario& scenario, double time, OrientationPoint& wanted) {
   ToolAim aim;
   aim.axis_only = scenario.mask == TaskMask::kPositionAndAxis;
@@ -51,7 +51,7 @@ ToolAim aim_at(const Scenario& scenario, double time, OrientationPoint& wanted) 
   return aim;
 }
 
-/// Over `walked` seconds; the joints that it ends with are left in q.
+/// Walks for `walked` seconds from q, and sets q to the joint positions at the end.
 PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, double centering_gain,
                   double roll_gain, WalkUntil until) {
   const RobotModel& robot = *scenario.robot;
@@ -123,8 +123,8 @@ PathWalk walk_path(const Scenario& scenario, const JointVector& q, double center
   JointVector end = q;
   PathWalk walk = walk_for(scenario, walked, end, centering_gain, roll_gain, until);
   if (until == WalkUntil::kLost && !can_follow(walk)) return walk;
-  // A lap about the base winds a joint up: the next one does not begin where this one did. Where as many as
-  // there are may lead to a limit, all of them are gone.
+  // A lap about the base winds a joint up, so that the next lap begins at other joint positions. If all laps
+  // of the scenario together could lead to a limit, all of them are walked.
   const JointVector wound = q + scenario.duration / walked * (end - q);
   if (walked >= scenario.duration || tightest_joint(*scenario.robot, wound).margin >= 0.0) return walk;
   end = q;

@@ -1,7 +1,7 @@
 #pragma once
-// Lets an arm follow the task of a scenario step by step by inverse kinematics. This is called a walk. It
-// uses no dynamics, no gains and no velocity limits. It shows before the first simulation where the arm
-// cannot do the task with any controller.
+// Lets an arm follow the task of a scenario step by step by inverse kinematics. This is called a walk. A walk
+// uses no dynamics, no velocity limits and, of all gains, only those of the centering. It shows before the
+// first simulation where no controller can make the arm do the task.
 
 #include "sim/scenario/scenario.hpp"
 #include "sim/scenario/walk_extremes.hpp"
@@ -12,12 +12,12 @@ namespace armtune::internal {
 /// ends, or the arm leaves the path or its joint limits.
 enum class WalkUntil { kEnd, kLost };
 
-/// Follows the task from joint positions q (n) that have the tool on the path at scenario.start_time.
+/// Follows the task from joint positions q (n), at which the tool is on the path at scenario.start_time.
 ///
-/// The walk covers the whole scenario, but 1000 s at most. It covers only one lap of the path (at least 1 s)
-/// if all of this is true:
+/// The walk covers the whole scenario, but at most 1000 s. It covers only one lap of the path (at least 1 s)
+/// if all of the following conditions are met:
 ///   - a lap is shorter than the scenario,
-///   - the parts of the cell rest, and the targets rest and do not switch,
+///   - the parts of the cell rest, and the targets rest and the gaze does not switch between them,
 ///   - the tool does not turn through waypoints,
 ///   - the joints return to their start, or drift so little that they stay within their limits in all laps.
 ///

@@ -14,7 +14,7 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kMostDelay = 1000.0;
-/// Keeps the numbers of one group apart from those of another.
+/// Changes the seed for a second series of random numbers.
 constexpr std::uint64_t kMoreDraws = 0x9E3779B97F4A7C15U;
 
 class Draw {
@@ -22,7 +22,7 @@ class Draw {
   Draw(std::uint64_t seed, std::uint64_t sample) : generator_(seeded(seed, sample)) {}
   std::uint64_t bits() { return generator_(); }
   double between(double lower, double upper) { return uniform(generator_, lower, upper); }
-  /// n factors in [1 - width, 1 + width].
+  /// Returns n factors in [1 - width, 1 + width].
   JointVector factors(int n, double width) {
     JointVector values(n);
     for (int i = 0; i < n; ++i) values[i] = between(1.0 - width, 1.0 + width);
@@ -45,7 +45,8 @@ void multiply(JointVector& factors, const JointVector& by) {
   factors = factors.size() > 0 ? JointVector(factors.cwiseProduct(by)) : by;
 }
 
-/// From factors (n) of 1 +- width: of an estimated rotor inertia, the logarithm is uniform.
+/// Returns the factors (n) on rotor inertia. drawn: factors of 1 +- width. An estimated rotor inertia gets a
+/// factor with a uniform logarithm instead, from 1 / kRotorFactor to kRotorFactor.
 JointVector rotor_factors(const RobotModel& robot, JointVector drawn, double width) {
   if (width == 0.0) return drawn;
   for (int i = 0; i < robot.n(); ++i) {
@@ -130,7 +131,8 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   Scenario result = scenario;
   const int n = scenario.robot->n();
   PlantConditions& plant = result.plant;
-  // Everything is drawn whether it is used or not, the arm before the scene: one arm for every scenario.
+  // Every number is drawn, used or not, and those of the arm before those of the scene. A sample therefore
+  // has the same arm in all scenarios.
   multiply(plant.mass_factors, draw.factors(n, perturbation.mass));
   multiply(plant.inertia_factors, draw.factors(n, perturbation.inertia));
   multiply(plant.rotor_factors,
@@ -141,8 +143,8 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   const double payload = draw.between(0.0, perturbation.payload);
   if (perturbation.payload > 0.0) plant.payload = {payload, Vec3::Zero()};
   result.seed = draw.bits();
-  // Each of these from numbers of its own, so that a kind that was added later leaves the others as they
-  // were.
+  // The kinds from here on draw from a second series. The numbers of the first series then do not depend on
+  // them.
   Draw more(seed ^ kMoreDraws, sample);
   if (plant.center_offsets.cols() == 0) plant.center_offsets.setZero(kCoordinates, n);
   for (double& offset : plant.center_offsets.reshaped()) {
@@ -163,7 +165,7 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
     const double phase = draw.between(0.0, 2.0 * M_PI);
     if (!perturbation.phases) return;
     path.phase = phase;
-    // One that does not come round has a beginning, which stays.
+    // A spline that does not repeat keeps its beginning.
     const auto& spline = path.spline;
     if (spline && spline->loops())
       path.spline_lead = phase / (2.0 * M_PI) * (spline->end() - spline->begin());
@@ -171,7 +173,7 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   for (NamedPath& target : result.targets) start_anywhere(target.path);
   for (MovingObstacle& obstacle : result.obstacles) start_anywhere(obstacle.path);
   if (result.clearance && !result.obstacles.empty()) {
-    // Where the controller keeps away from them contact is looked for, too.
+    // The contact checks must have the obstacles on the same paths as the controller.
     std::vector<Path> paths;
     for (const MovingObstacle& obstacle : result.obstacles) {
       if (obstacle.radius > 0.0) paths.push_back(obstacle.path);

@@ -1,7 +1,7 @@
 #pragma once
 // Creates random variants of a scenario. For example, masses, friction, payload, delay, noise and the motions
 // of targets differ from the scenario's own. The variants show how well gains work if the real arm differs
-// from the model. Sample k of a seed is always the same, whichever other samples are drawn.
+// from the model. A seed and a sample number determine a variant, whichever other samples are drawn.
 
 #include <cstdint>
 #include <span>
@@ -11,13 +11,13 @@
 
 namespace armtune::internal {
 
-/// The widths of uniform distributions about the scenario's own values. perturbation_fields() has the meaning
-/// of each.
+/// The widths of uniform distributions about the scenario's own values. Widths without a unit here are
+/// relative [1]. perturbation_fields() gives the meaning of each width.
 struct Perturbation {
   double mass = 0.2;
   double center = 0.01;  ///< [m]
   double inertia = 0.2;
-  double rotor = 0.2;  ///< an estimated rotor inertia varies by a factor up to kRotorFactor, unless this is 0
+  double rotor = 0.2;  ///< if above 0, an estimated rotor inertia varies by up to a factor of kRotorFactor
   double friction = 0.5;
   double payload = 0.0;  ///< [kg]; zero: the payload of the scenario is not changed
   double delay = 1.0;    ///< control periods, a whole number
@@ -48,17 +48,19 @@ Perturbation default_perturbation(std::span<const Scenario> scenarios);
 /// with it changes only in the seed of its noise.
 Perturbation no_perturbation();
 
-/// Throws InputError, with `where` in front, naming field, value and limit.
+/// Throws InputError, naming field, value and limit, if a width is not within its limits or if `delay` is not
+/// a whole number. The message begins with `where`.
 void validate(const Perturbation& perturbation, const std::string& where = "perturbation");
 
-/// Returns the scenario with the plant's estimated rotor inertia multiplied by `factor`. Rotor inertia from
-/// the robot file and the controller's model stay as they are.
+/// Returns the scenario with the estimated rotor inertia of the simulated arm multiplied by `factor`. Rotor
+/// inertia that is not an estimate does not change, and neither does the controller's model.
 Scenario with_rotors_scaled(const Scenario& scenario, double factor);
 
-/// Returns the scenario with a randomly changed plant, start value of theta, target speeds, phases and noise.
-/// The changes are drawn by mt19937_64 and depend on (seed, sample) alone. Factors that the scenario already
-/// has are multiplied by the drawn factors. The controller's robot model stays as it is. Throws InputError if
-/// the perturbation is not valid.
+/// Returns the scenario with random changes of the plant (the simulated arm), of the start value of theta
+/// (the controller's dynamic parameters), and of target speeds, phases and noise. The changes are drawn by
+/// mt19937_64 and depend on (seed, sample) alone. Factors that the scenario already has are multiplied by the
+/// drawn factors. The controller's robot model stays as it is. Throws InputError if the perturbation is not
+/// valid.
 Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, std::uint64_t seed,
                    std::uint64_t sample);
 

@@ -19,19 +19,19 @@
 namespace armtune::internal {
 namespace {
 
-constexpr std::size_t kMostRows = 200'000;  // 100 s at 2 kHz; each takes about 1 kB
+constexpr std::size_t kMostRows = 200'000;  // 100 s at 2 kHz; each row takes about 1 kB
 
 std::string name_of(const JointInfo& joint, const char* what) {
   return "joint/" + joint.name + "/" + what;
 }
 
-/// The column of a joint's positions.
+/// Returns the column of a joint's positions.
 std::size_t position_column(const CsvTable& table, const JointInfo& joint) {
   const auto plain = table.find(joint.name);
   return plain && !table.find(name_of(joint, "position")) ? *plain : table.column(name_of(joint, "position"));
 }
 
-/// What makes a joint's numbers SI.
+/// Returns the factors (n) that convert the numbers of the joints to SI units.
 JointVector factors_of(const yaml::FileUnits& units, const RobotModel& robot) {
   JointVector factors(robot.n());
   for (int i = 0; i < robot.n(); ++i)
@@ -40,7 +40,7 @@ JointVector factors_of(const yaml::FileUnits& units, const RobotModel& robot) {
   return factors;
 }
 
-/// A number for each joint out of a row.
+/// Returns one number for each joint from a row.
 JointVector numbers_of(const ParsedTable& parsed, std::size_t row, const std::vector<std::size_t>& columns) {
   JointVector numbers(static_cast<Eigen::Index>(columns.size()));
   for (std::size_t i = 0; i < columns.size(); ++i)
@@ -48,7 +48,7 @@ JointVector numbers_of(const ParsedTable& parsed, std::size_t row, const std::ve
   return numbers;
 }
 
-/// What the columns of a table give: velocities of every joint, or of none.
+/// Returns the quantities that the table gives for at least one joint. It must give them for all joints.
 PointsGive given_in(const CsvTable& table, const RobotModel& robot) {
   const auto any = [&](const char* what) {
     return std::any_of(robot.joints.begin(), robot.joints.end(),
@@ -104,7 +104,7 @@ const char* hint_for_degrees(bool message) {
              : "if the file is in degrees, declare this: units: {angle: deg} (for --trajectory: --degrees)";
 }
 
-/// The points of a message, or the rows of a CSV file.
+/// Reads the points of a message, or the rows of a CSV file.
 MotionPoints read_points(const PlannedFile& file, const RobotModel& robot) {
   if (!is_trajectory_message(file.table.path)) return read_rows(file.table, robot);
   if (file.table.is_described())
@@ -115,7 +115,7 @@ MotionPoints read_points(const PlannedFile& file, const RobotModel& robot) {
   return load_trajectory_message(file.table.path, robot);
 }
 
-/// Positions become the cubic spline through them, at rest at both ends.
+/// Adds velocities and accelerations: those of the cubic spline through the positions, at rest at both ends.
 void make_smooth(MotionPoints& motion) {
   std::vector<JointVector> positions;
   positions.reserve(motion.points.size());
@@ -163,7 +163,7 @@ std::vector<JointVector> goals_of(const PlannedFile& file, const MotionPoints& p
       throw InputError(points.where(k, "time_from_start"),
                        "the points have velocities or accelerations, but no times; give each point its time, "
                        "or leave the velocities and accelerations out");
-    // A limit that was rounded may be passed by its last digit.
+    // A goal at a rounded limit may exceed the limit by the last digit.
     goals.emplace_back(point.position.cwiseMax(robot.lower_limits()).cwiseMin(robot.upper_limits()));
   }
   return goals;

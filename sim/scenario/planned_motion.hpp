@@ -15,7 +15,7 @@ namespace armtune::internal {
 /// A file with a planned motion, and how its points are interpolated.
 struct PlannedFile {
   UserTable table;
-  bool as_ros = false;  ///< true: as in the controllers of ROS, see ros_segments.hpp
+  bool as_ros = false;  ///< true: interpolated as in the controllers of ROS (ros_segments.hpp)
 };
 
 /// Reads a path, relative to the folder of the file that names it, or {file, units: {time, angle, length},
@@ -26,25 +26,28 @@ PlannedFile read_planned_node(const yaml::Node& node);
 ///
 /// A CSV file has the column `time` [s] and, for each joint of the robot, `joint/NAME/position` or simply
 /// `NAME`. It may also have `joint/NAME/velocity` for all joints, and then `joint/NAME/acceleration` for all
-/// joints. Their unit of time is the second, even if `time` has another unit. Other columns are ignored.
+/// joints. Velocities and accelerations are per second, even if `time` has another unit. Other columns are
+/// ignored.
 ///
 /// The points are interpolated in one of these ways:
 ///   - as ROS does, if the file is a message, has velocities but no accelerations, or has `segments: as_ros`;
 ///   - otherwise, with linear acceleration between rows, if the file has accelerations;
 ///   - otherwise, by the cubic spline through the positions, which is at rest at both ends.
 ///
-/// Throws InputError with file, line, column, value and limit if a column or a number is missing, times do
-/// not rise from 0 s on, a position is outside the joint's limits, or the position or velocity of a row does
-/// not match the accelerations of this row and the row before it.
+/// Throws InputError with file, line, column, value and limit if:
+///   - a column or a number is missing,
+///   - the first time is negative, or the times do not rise,
+///   - a joint leaves its position limits at a point or between two points,
+///   - the position or velocity of a row does not match the accelerations of this row and the row before it.
 JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot);
 
-/// What a file gives: a motion, or joint goals, which are positions without times.
+/// The content of a file: a motion, or joint goals, which are positions without times.
 struct MotionOrGoals {
   std::optional<JointSpline> motion;
-  std::vector<JointVector> goals;  ///< n each, in the order of the robot's joints [rad, m]; empty: the motion
+  std::vector<JointVector> goals;  ///< n each, in joint order [rad, m]; empty if the file gives a motion
 };
 
-/// The most goals that a file may give.
+/// The largest number of goals that a file may give.
 inline constexpr std::size_t kMostGoals = 100;
 
 /// Reads a planned motion, as load_planned_motion does, or joint goals. A CSV file with goals has a column

@@ -1,6 +1,6 @@
 #pragma once
-// Reads the parts of a scenario file that describe how the simulated arm differs from the controller's model
-// (payload, friction, noise, delay), and the camera that measures the targets.
+// Reads the parts of a scenario file that describe how the simulated arm (the plant) differs from the
+// controller's model (payload, friction, noise, delay), and the camera that measures the targets.
 
 #include <string>
 #include <vector>

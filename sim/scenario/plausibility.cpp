@@ -17,35 +17,35 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kLightest =
-    5e-4;  // kg for each N m or N of the joint's effort: arms have seven times that and more
-constexpr double kWidest = 0.5;         // of the reach: radius of gyration of a link
-constexpr double kNarrowest = 2e-3;     // m
+    5e-4;  // kg for each N m or N of the joint's effort limit: arms have at least seven times as much
+constexpr double kWidest = 0.5;         // largest radius of gyration of a link, as a share of the reach
+constexpr double kNarrowest = 2e-3;     // m, smallest radius of gyration of a link
 constexpr double kManyTurns = 25.0;     // rad
 constexpr double kFastest = 30.0;       // rad/s
 constexpr double kFingerStroke = 0.15;  // m
-constexpr double kClawTurn = 1.3;       // rad; wrists turn by more than half a turn
-constexpr double kOtherRotor = 100.0;   // times what the rule of rotor_estimate.hpp gives, or its inverse
+constexpr double kClawTurn = 1.3;       // rad; a wrist's range is more than half a turn
+constexpr double kOtherRotor = 100.0;   // largest factor from the estimate of rotor_estimate.hpp, up or down
 constexpr unsigned kPoses = 500;
 
 using Names = std::vector<std::string>;
 using Proposed = std::vector<ProposedValue>;
 
-/// Adds the sentence unless there are no names. It begins with them.
+/// Adds the sentence "NAMES: SAYS" to the doubts, unless there are no names.
 void add(const Names& names, const std::string& says, const Proposed& proposed, std::vector<Doubt>& doubts) {
   if (!names.empty()) doubts.push_back({fmt::format("{}: {}", fmt::join(names, ", "), says), proposed});
 }
 
-/// Mass and inertia of a link, which nobody but the arm's maker knows.
+/// Adds mass and inertia of a link, without values, which only the arm's maker can give.
 void ask_for_body(const std::string& link, Proposed& proposed) {
   for (const char* field : {"mass", "center", "moments"}) proposed.push_back({"inertia", link, field, ""});
 }
 
-/// A value that was given in degrees.
+/// Returns the text of an angle in radians that was given in degrees.
 std::string in_radians(double degrees) {
   return fmt::format("{:.4g}", degrees * M_PI / 180.0);
 }
 
-/// Radius of gyration about the centre of mass and its worst axis [m].
+/// Returns the largest radius of gyration about an axis through the centre of mass [m].
 double radius_of_gyration(const LinkInertia& link) {
   const Vec3 center = link.first_moment / link.mass;
   const LinkInertia about_center = in_frame(link, Mat3::Identity(), -center);
@@ -89,8 +89,8 @@ void doubt_links(const RobotModel& robot, std::vector<Doubt>& doubts) {
       doubts);
 }
 
-/// Rotors that do not go with their joints' limits: often the gear ratio is left out. Of those that are
-/// marked as an estimate the verdict says so.
+/// Finds rotor inertia that does not fit the joint's limits, often because the gear ratio was left out.
+/// Marked estimates are skipped, because the verdict reports them.
 void doubt_rotors(const RobotModel& robot, std::vector<Doubt>& doubts) {
   RobotModel ruled = robot;
   ruled.chain.rotor_inertia.setZero();
@@ -133,8 +133,8 @@ void doubt_limits(const RobotModel& robot, std::vector<Doubt>& doubts) {
       doubts);
 }
 
-/// The position in which gravity asks the most of a joint, of those that were looked at, and how much [N m,
-/// N].
+/// The largest torque that gravity requires of a joint at the positions that were tried [N m, N], and the
+/// position (n) at which it occurs.
 struct Heaviest {
   double torque = 0.0;
   JointVector q;
@@ -148,7 +148,7 @@ JointVector holding_torque(const RobotModel& robot, const JointVector& q) {
   return torque;
 }
 
-/// Moves one joint after the other while that asks more of joint i, in ever smaller steps.
+/// Moves one joint after the other, in ever smaller steps, to increase the holding torque of joint i.
 void climb(const RobotModel& robot, int i, Heaviest& heaviest) {
   double step = 1.0;
   for (int halving = 0; halving < 6; ++halving) {
@@ -166,7 +166,7 @@ void climb(const RobotModel& robot, int i, Heaviest& heaviest) {
   }
 }
 
-/// Of each joint: the largest of many positions at random, and of those about it.
+/// Returns the heaviest position for each joint: the best of many random positions, improved by climb().
 std::vector<Heaviest> heaviest_positions(const RobotModel& robot) {
   std::vector<Heaviest> found(static_cast<std::size_t>(robot.n()));
   for (unsigned sample = 0; sample < kPoses; ++sample) {
@@ -181,7 +181,7 @@ std::vector<Heaviest> heaviest_positions(const RobotModel& robot) {
   return found;
 }
 
-/// Joints that cannot hold the arm everywhere.
+/// Finds joints whose effort limit is too low to hold the arm still everywhere.
 void doubt_efforts(const RobotModel& robot, std::vector<Doubt>& doubts) {
   const auto slides = [&robot](std::size_t k) { return robot.chain.motion[k] == JointMotion::kPrismatic; };
   bool any_slides = false;
@@ -218,7 +218,7 @@ void doubt_last_joint(const RobotModel& robot, std::vector<Doubt>& doubts) {
        {{"hold", joint.name, "", rest}}});
 }
 
-/// The proposed values as lines of a robot YAML, each key once, and each line behind a comment mark.
+/// Returns the proposed values as lines of a robot YAML, each key once. All lines are commented out.
 std::string proposed_lines(const std::vector<Doubt>& found) {
   using Fields = std::vector<const ProposedValue*>;
   std::vector<std::pair<std::string, std::vector<std::pair<std::string, Fields>>>> keys;

@@ -1,6 +1,7 @@
 #pragma once
-// Finds numbers in a robot file that are valid but hardly those of a real arm: placeholders, wrong units, a
-// gripper taken for a joint. Such numbers make a simulation wrong without an error.
+// Finds numbers in a robot file that are valid but implausible for a real arm. Typical causes are placeholder
+// values, wrong units, and a gripper's finger that is taken for the last joint of the arm. Such numbers make
+// a simulation wrong without an error.
 
 #include <string>
 #include <vector>
@@ -11,9 +12,9 @@ namespace armtune::internal {
 
 /// A value that the user could write into a robot YAML in place of a doubtful one.
 struct ProposedValue {
-  std::string key;    ///< of the robot YAML: limits, inertia, hold
-  std::string name;   ///< joint or link
-  std::string field;  ///< key in the map of that name; empty: the value belongs to the name itself
+  std::string key;    ///< top-level key of the robot YAML: limits, inertia or hold
+  std::string name;   ///< joint or link, a key in the map of `key`
+  std::string field;  ///< key in the map of `name`; empty: the value belongs to the name itself
   std::string value;  ///< empty: armtune cannot propose a value; the arm's maker can give it
 };
 

@@ -17,7 +17,7 @@
 namespace armtune::internal {
 namespace {
 
-/// One number per joint of the arm: read once the arm is known.
+/// Keys that are read after the URDF, when the joints are known. Those in kJointKeys have a number per joint.
 constexpr const char* kCompensation = "compensates_gravity";
 constexpr const char* kRotors = "rotor_inertia";
 constexpr std::array kJointKeys{"viscous_friction", "coulomb_friction", "link_radius", "drive_velocity_gain",
@@ -30,7 +30,7 @@ bool asks_for_estimate(const RobotFile& file) {
   return node != nullptr && node->is_word("estimated");
 }
 
-/// The numbers of `rotor_inertia: {estimated: ...}`; null where the file does not mark them so.
+/// Returns the numbers of `rotor_inertia: {estimated: ...}`; null if they are not marked as estimates.
 const yaml::Node* own_estimate(const yaml::Node& rotors) {
   const yaml::Node* values = rotors.kind() == yaml::Node::Kind::kMap ? rotors.find("estimated") : nullptr;
   return values != nullptr && rotors.entries().size() == 1 ? values : nullptr;
@@ -38,13 +38,13 @@ const yaml::Node* own_estimate(const yaml::Node& rotors) {
 
 /// Reads `rotor_inertia` of the joints.
 void read_rotors(const yaml::Node& node, const std::vector<std::string>& joints, RobotModel& model) {
-  if (node.is_word("estimated")) return;  // by estimate_rotors, once the limits are known to be valid
+  if (node.is_word("estimated")) return;  // estimate_rotors needs valid limits and is called later
   const yaml::Node* estimate = own_estimate(node);
   model.chain.rotor_inertia = yaml::joint_values(estimate != nullptr ? *estimate : node, joints);
   if (estimate != nullptr) model.estimated_rotors = joints;
 }
 
-/// Throws InputError where one is no radius.
+/// Throws InputError if a link radius is out of range.
 void check_radii(const yaml::Node& node, const RobotModel& model) {
   for (int i = 0; i < model.n(); ++i) {
     const double radius = model.link_radii[i];
@@ -54,7 +54,7 @@ void check_radii(const yaml::Node& node, const RobotModel& model) {
   }
 }
 
-/// Throws InputError where a number of a drive is not one that it can have.
+/// Throws InputError if a value is not finite, negative or, with above_zero, zero.
 void check_drive(const RobotFile& file, const char* key, const JointVector& values, bool above_zero) {
   for (const double value : values) {
     if (std::isfinite(value) && (above_zero ? value > 0.0 : value >= 0.0)) continue;
@@ -118,7 +118,7 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
   if (const yaml::Node* payload = file.root ? file.root->find("payload") : nullptr)
     *model = with_payload(*model, read_payload(*payload));
   validate(*model);
-  // Its rule divides by limits, which are valid from here on.
+  // The estimate divides by the limits, which are valid from here on.
   if (asks_for_estimate(file)) estimate_rotors(*model);
   return model;
 }

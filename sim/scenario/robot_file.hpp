@@ -19,7 +19,7 @@ struct RobotFile {
   std::string path;
   std::string urdf;  ///< path
   UrdfOptions options;
-  std::optional<yaml::Node> root;  ///< of a YAML file
+  std::optional<yaml::Node> root;  ///< content of the YAML file; empty for a URDF alone
 };
 
 /// Reads a bundled robot by name, or a robot YAML or a .urdf by path. Throws InputError.
@@ -30,16 +30,17 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
 ///   - rotor_inertia, viscous_friction, coulomb_friction, link_radius [m], drive_velocity_gain and
 ///     drive_velocity_integral: each a list in joint order, or a map by joint name;
 ///   - payload: {mass, center}, a point mass in the tool frame that is part of the controller's model;
-///   - compensates_gravity (RobotModel);
+///   - compensates_gravity (see RobotModel);
 ///   - cell (see cell_of).
-/// `rotor_inertia: estimated` estimates it for every joint that has none in the URDF (rotor_estimate.hpp).
-/// `{estimated: ...}` marks numbers as the file's own estimate. Without link_radius, a link's radius is that
-/// of its shapes (link_radius.hpp).
+/// `rotor_inertia: estimated` makes armtune estimate the rotor inertia of every joint that has none in the
+/// URDF (rotor_estimate.hpp). `rotor_inertia: {estimated: NUMBERS}` marks the given numbers as estimates.
+/// Without link_radius, a link's radius is that of its shapes (link_radius.hpp).
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});
 
-/// Returns the cell that a robot file gives the arm (cell_file.hpp), or nothing if it gives none. Files that
-/// it names are added to `inputs`. Throws InputError.
+/// Returns the cell around the arm, which the key `cell` of a robot file describes (cell_file.hpp). Returns
+/// nothing if the file does not have this key. The names of waypoint files that this reads are added to
+/// `inputs`. Throws InputError.
 std::optional<Cell> cell_of(const RobotFile& file, std::vector<std::string>& inputs);
 
 /// Returns true if the name has the ending of an XML file, and so is neither a robot YAML nor a bundled name.

@@ -1,6 +1,6 @@
 #pragma once
-// Generates the robot YAML for a model of an arm. It has the data that the model's URDF cannot contain, such
-// as rotor inertia.
+// Generates the robot YAML for a model of an arm. This file contains the data that the model's URDF cannot
+// contain, such as rotor inertia.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 namespace armtune::internal {
 
 /// Returns the text of a robot YAML for the model. urdf: the name of the model's URDF, as urdf_text() writes
-/// it. Reading both gives the same chain. comment: one line for the top of the text; may be empty.
+/// it. Reading both files gives the same RobotModel::chain. comment: one line for the top; may be empty.
 std::string robot_yaml(const RobotModel& model, const std::string& urdf, const std::string& comment = {});
 
 /// Returns the key `limits` of a robot YAML with the model's acceleration limits, which a URDF cannot

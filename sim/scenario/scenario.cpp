@@ -12,12 +12,13 @@
 namespace armtune::internal {
 namespace {
 
-/// Denser by `mass_factor`, then spread wider about its centre of mass by `inertia_factor`: a body whose
-/// principal moments about its centre all grow alike stays one that can be built, wherever its centre is.
+/// Multiplies the density of the body by mass_factor, then its inertia about the centre of mass by
+/// inertia_factor, and moves the centre by `offset`. A common factor on all principal moments about the
+/// centre keeps the body physically possible, wherever its centre is.
 LinkInertia varied(const LinkInertia& body, double mass_factor, double inertia_factor, const Vec3& offset) {
   LinkInertia result{mass_factor * body.mass, mass_factor * body.first_moment, mass_factor * body.inertia};
   if (inertia_factor == 1.0 && offset.isZero(0.0))
-    return result;  // exactly the same body, without the rounding of the shifts
+    return result;  // exact, without the rounding of the shifts below
   const Vec3 c = result.first_moment / result.mass;
   LinkInertia centered = in_frame(result, Mat3::Identity(), -c);
   centered.first_moment.setZero();
@@ -41,7 +42,7 @@ Gains with_goal(Gains gains, const Scenario& scenario) {
   if (scenario.loop_gain != 1.0) scale_loop_gains(gains, scenario.loop_gain);
   if (gains.joint_space_goal.size() > 0) return gains;
   if (scenario.goal_position.size() == 0) {
-    // Plans come first and go over into the task: leaveSingularity is never in it.
+    // A planned motion comes first and leads into the task. The state leaveSingularity never occurs.
     if (scenario.planned) {
       gains.joint_space_goal = in_degrees(*scenario.robot, scenario.start_position);
       return gains;
@@ -63,7 +64,7 @@ bool Scenario::has_task() const {
 }
 
 bool Scenario::switches_target() const {
-  // A planned motion can begin with the switch: what was before counts.
+  // A planned motion can begin at a switch, so that the target before the first period counts.
   const std::size_t before = active_target(std::max(0.0, start_time - control_period));
   for (int k = 0; k < periods(); ++k) {
     if (active_target(start_time + k * control_period) != before) return true;
@@ -72,7 +73,7 @@ bool Scenario::switches_target() const {
 }
 
 std::size_t Scenario::active_target(double t) const {
-  // Half a period's grace, so that rounding of k * dt does not decide on which side of a switch t lies.
+  // With a tolerance of half a period, the rounding of k * dt does not decide on which side of a switch t is.
   const double now = t + 0.5 * control_period;
   if (!schedule.empty()) {
     const auto next = std::upper_bound(schedule.begin(), schedule.end(), now,

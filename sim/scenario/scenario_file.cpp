@@ -1,4 +1,4 @@
-// Scenario files: the reader of scenario.hpp's load_scenario.
+// Reads scenario files. Implements load_scenario of scenario.hpp.
 
 #include <fmt/format.h>
 
@@ -31,9 +31,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxBaseFiles = 16;
 constexpr double kMaxPeriods = 1e8;
-constexpr double kRounding = 1e-6;  // of a period: a plan of so many whole ones takes no further one
+constexpr double kRounding = 1e-6;  // of a period: a smaller excess over whole periods adds no period
 
-/// null: the most that the joints can hold.
+/// Reads the task mask. If node is null, returns the largest mask that the number of joints allows.
 TaskMask read_mask(const yaml::Node* node, int joints) {
   if (node == nullptr) return largest_mask(joints);
   const std::string text = node->as_string();
@@ -53,14 +53,15 @@ TaskMask read_mask(const yaml::Node* node, int joints) {
   node->fail("'" + text + "' is not one of: pose, position_and_axis, position");
 }
 
-/// From what on the arm obstacles count: `joints`, the joints' origins, or `links`, capsules about them.
+/// Reads from where on the arm the distance to obstacles is measured: `joints`, from the joints' origins, or
+/// `links`, from capsules around the links.
 void read_distance(const yaml::Node& node, Scenario& scenario) {
   if (node.is_word("joints")) return;
   if (!node.is_word("links")) node.fail("'" + node.as_string() + "' is neither joints nor links");
   scenario.robot = std::make_shared<const RobotModel>(with_link_surfaces(*scenario.robot));
 }
 
-/// A file's path, from the folder of the file that names it, which may be a base of the scenario's.
+/// Returns the path of a file, relative to the folder of the file that names it, which may be a base file.
 std::string path_in(const yaml::Node& node) {
   return file_beside(node.as_string(), node.file());
 }
@@ -80,7 +81,7 @@ ThetaStart read_theta_start(const yaml::Node& node) {
   return start;
 }
 
-/// The file's keys over those of the files its `base` names, and of theirs.
+/// Reads a file and, recursively, its base files. The keys of a file replace those of its base files.
 yaml::Node parse_with_base(const std::string& path, std::vector<std::string>& files) {
   yaml::Node own = yaml::parse_file(path);
   files.push_back(path);
@@ -114,7 +115,7 @@ void read_start(const yaml::Node& node, Scenario& scenario) {
   }
 }
 
-/// The planned motion, whose beginning is the scenario's.
+/// Reads the planned motion. The scenario starts at the beginning of this motion.
 void read_planned(const yaml::Node& node, Scenario& scenario) {
   const PlannedFile file = read_planned_node(node);
   scenario.planned = std::make_shared<const JointSpline>(load_planned_motion(file, *scenario.robot));
@@ -124,7 +125,7 @@ void read_planned(const yaml::Node& node, Scenario& scenario) {
   scenario.start_velocity = scenario.planned->knots().front().velocity;
 }
 
-/// A planned motion alone: what is left to do then is to stay where it ends, the tool as it is.
+/// Sets the task of a scenario that has nothing but a planned motion: to stay where the motion ends.
 void hold_the_end(Scenario& scenario) {
   constexpr double kAhead = 1.0;  // m
   scenario.holds_end = true;
@@ -134,7 +135,8 @@ void hold_the_end(Scenario& scenario) {
   scenario.targets = {{"ahead", Path{poses.p_0T + kAhead * poses.R_0T.col(2), 0.0, 0.0, {}}}};
 }
 
-/// Whether orientation and path come from one file of waypoints, which is then read in one way.
+/// Returns true if orientation and path come from one waypoint file. Throws InputError if they give different
+/// units or columns for it.
 bool is_one_file(const yaml::Node& turns, const yaml::Node& points) {
   const UserTable a = read_waypoints_node(turns);
   const UserTable b = read_waypoints_node(points);
@@ -146,13 +148,13 @@ bool is_one_file(const yaml::Node& turns, const yaml::Node& points) {
   return true;
 }
 
-/// The tool's path, and what it looks at or how it is turned.
+/// Reads the tool's path, and its gaze targets or its orientation.
 void read_task(yaml::MapReader& map, Scenario& scenario) {
   const bool has_task = map.has("path") || map.has("orientation") || map.has("targets");
   if (scenario.planned && !has_task) return hold_the_end(scenario);
   const yaml::Node* orientation = map.optional("orientation");
   yaml::MapReader tool_path(map.required("path"));
-  // Tool poses stand in one file.
+  // Tool poses have their positions and orientations in one file.
   const yaml::Node* turns = orientation == nullptr ? nullptr : orientation->find("waypoints");
   const yaml::Node* points = map.required("path").find("waypoints");
   const bool of_poses = turns != nullptr && points != nullptr && is_one_file(*turns, *points);
@@ -181,8 +183,8 @@ void read_task(yaml::MapReader& map, Scenario& scenario) {
         "rpy_deg, or a task_mask of pose");
 }
 
-/// A number, or `planned`: as long as the planned motion, in whole periods. node: null where the key is
-/// absent.
+/// Reads the duration [s]: a number, or `planned` for the length of the planned motion, rounded up to whole
+/// periods. node: null if the key is absent, which means `planned`.
 double read_duration(const yaml::Node* node, const Scenario& scenario) {
   const bool as_planned = node == nullptr || node->is_word("planned");
   if (as_planned && !scenario.planned)
@@ -200,8 +202,8 @@ double read_duration(const yaml::Node* node, const Scenario& scenario) {
   node->fail(message);
 }
 
-/// The scenario's cell, or that of the robot's file, with the scenario's obstacles in it. node: null where
-/// the scenario has none of its own.
+/// Reads the scenario's cell and adds the scenario's obstacles to it. node: null if the scenario has no cell
+/// of its own; the cell of the robot file is then used.
 void read_clearance(const yaml::Node* node, const RobotFile& robot, Scenario& scenario) {
   std::optional<Cell> cell =
       node != nullptr ? std::optional(read_cell(*node, scenario.inputs)) : cell_of(robot, scenario.inputs);
@@ -267,7 +269,7 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (const yaml::Node* obstacles = map.optional("obstacles"))
     scenario.obstacles = read_obstacles(*obstacles, scenario.inputs);
   read_clearance(map.optional("cell"), read_robot_file(robot, robot_folder), scenario);
-  // A plan has a start of its own, over a base's.
+  // The start of a planned motion has priority over start_position_deg, which a base file may give.
   if (const yaml::Node* start = map.optional("start_position_deg"); start != nullptr && !scenario.planned) {
     read_start(*start, scenario);
   } else if (!scenario.planned) {

@@ -37,7 +37,7 @@ Solid read_round(const yaml::Node& node, SolidKind kind) {
   return kind == SolidKind::kCapsule ? capsule(radius, along) : cylinder(radius, along);
 }
 
-/// A cylinder or capsule from point to point; nothing where it is not given so.
+/// Reads a cylinder or capsule that is given by its end points. Returns nothing if it is given otherwise.
 std::optional<PlacedSolid> read_between(const yaml::Node* node, SolidKind kind) {
   if (node == nullptr || (node->find("from") == nullptr && node->find("to") == nullptr)) return std::nullopt;
   yaml::MapReader map(*node);

@@ -17,8 +17,8 @@ namespace armtune::internal {
 /// Throws InputError with file, line and key.
 Solid read_solid(yaml::MapReader& map);
 
-/// Reads such a body with its place: `center` [m], zero by default, and `rpy_deg`. A cylinder or a capsule
-/// may be {radius, from: [x, y, z], to: [x, y, z]} instead, between two points.
+/// Reads one of these bodies with its place: `center` [m], zero by default, and `rpy_deg` (see read_turn). A
+/// cylinder or a capsule between two points may be given as {radius, from: [x, y, z], to: [x, y, z]} instead.
 PlacedSolid read_placed_solid(yaml::MapReader& map);
 
 /// Reads rpy_deg: [roll, pitch, yaw], rotations about the fixed x, y and z axes in this order [deg]. If

@@ -13,12 +13,12 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kMillimetres = 20.0;  // times the reach: no path in metres lies there
+constexpr double kMillimetres = 20.0;  // times the reach: no path in metres is that far away
 constexpr double kAway = 20.0 * M_PI / 180.0;
 constexpr double kAwaySliding = 0.1;   // m
-constexpr double kAwayShare = 0.1;     // of the range, at most
-constexpr double kCentering = 0.2;     // 1/s, where no gains are known
-constexpr double kEnoughMargin = 0.1;  // of the range: more is no better
+constexpr double kAwayShare = 0.1;     // largest share of a joint's range
+constexpr double kCentering = 0.2;     // 1/s, because no gains are known here
+constexpr double kEnoughMargin = 0.1;  // share of a joint's range; a larger margin does not count as better
 
 }  // namespace
 
@@ -30,7 +30,7 @@ ToolGoal tool_goal_at(const Scenario& scenario, double time) {
     return goal;
   }
   const Eigen::Quaterniond wanted = scenario.orientation->at(time, scenario.path).orientation;
-  // Of an axis alone: a point that it passes.
+  // For the axis alone, the goal is a point on the desired axis.
   if (scenario.mask == TaskMask::kPositionAndAxis) goal.target = goal.tool + wanted * Vec3::UnitZ();
   if (scenario.mask == TaskMask::kPose) goal.orientation = wanted;
   return goal;
@@ -42,7 +42,7 @@ JointVector best_start_of_task(const Scenario& scenario) {
       best_pose(*scenario.robot, goal, sample_position(*scenario.robot, 0), [&](const JointVector& q) {
         const PathWalk walk = walk_path(scenario, q, kCentering);
         const double ease = walk.manipulability.value * std::min(1.0, walk.margin.value / kEnoughMargin);
-        // Where the whole walk fails, still the pose that does best.
+        // If every walk fails, the pose whose walk has the smallest errors is chosen.
         return is_clear(walk) ? ease
                               : -1.0 - walk.error.value - std::max(0.0, -walk.margin.value) - depth(walk);
       });

@@ -30,8 +30,8 @@ double Stimulus::value(double t) const {
 }
 
 std::vector<double> schroeder_phases(const std::vector<int>& orders) {
-  // Between neighbours the phase falls by the gap in order times the share of the power below: 2 pi (k_n -
-  // k_n-1) (n - 1) / N. Schroeder's formula is this for gaps of one.
+  // From sine n - 1 to sine n the phase falls by 2 pi (k_n - k_n-1) (n - 1) / N: the gap between their orders
+  // times the share of the power in the lower sines. With gaps of one, this is Schroeder's formula.
   std::vector<double> phases(orders.size(), 0.0);
   const auto count = static_cast<double>(orders.size());
   for (std::size_t n = 1; n < orders.size(); ++n) {

@@ -1,7 +1,7 @@
 #pragma once
-// A test signal (stimulus) that is added to a set point to measure the response of the control loop: a step,
-// or a sum of sines. The controller receives the shifted positions, but not the velocity of the shift. With
-// the velocity, feed-forward would hide the response of the feedback loop.
+// Describes a test signal (stimulus) that is added to a set point to measure the response of the control
+// loop: a step, or a sum of sines. The controller receives the shifted positions, but not the velocity of the
+// shift. With the velocity, feed-forward would hide the response of the feedback loop.
 
 #include <variant>
 #include <vector>
@@ -41,7 +41,7 @@ struct Stimulus {
   double start() const;
   /// Returns the displacement [m] along the direction at time t [s]. Allocates nothing.
   double value(double t) const;
-  /// Returns the offset to the position, base frame [m].
+  /// Returns the offset that is added to the position at time t, base frame [m].
   Vec3 at(double t) const { return value(t) * direction; }
 };
 

@@ -14,7 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostOrders = 32;
 constexpr long kMostPeriods = 1000;
 
-/// A direction times a length [m], neither zero.
+/// Reads an offset [m], which must not be zero.
 Vec3 read_offset(const yaml::Node& node) {
   Vec3 offset(node.as_numbers(3).data());
   const double length = offset.norm();
@@ -71,7 +71,7 @@ double read_base_period(const yaml::Node& node, double duration, double control_
                     "duration of {} s",
                     period, control_period, duration));
   }
-  // Else the Fourier sums over whole base periods would leak.
+  // Otherwise the Fourier sums over whole base periods would leak into each other.
   const double samples = period / control_period;
   constexpr double kRounding = 1e-6;
   if (std::abs(samples - std::round(samples)) > kRounding) {

@@ -13,12 +13,12 @@ namespace armtune::internal {
 namespace {
 
 struct Effort {
-  unsigned samples;   ///< positions that are looked at
-  std::size_t tried;  ///< of them, the best first
+  unsigned samples;   ///< number of joint positions that are rated
+  std::size_t tried;  ///< number of the best ones that are returned
 };
 constexpr Effort kQuick = {2000, 200};
 constexpr Effort kThorough = {20000, 500};
-constexpr double kUnlikely = 0.02;  // factor on the score of a place that will hardly do
+constexpr double kUnlikely = 0.02;  // factor on the score of a place that is hardly usable
 
 }  // namespace
 

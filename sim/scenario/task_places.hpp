@@ -9,7 +9,7 @@
 
 namespace armtune::internal {
 
-/// Largest allowed torque that holds the arm still, as a fraction of the joint's effort limit.
+/// Largest torque for holding the arm still in a first task, as a fraction of the joint's effort limit.
 inline constexpr double kMostLoad = 0.85;
 /// Distance from a joint limit, as a fraction of the joint's range. A larger distance does not improve the
 /// score.
@@ -28,8 +28,8 @@ struct TaskPlace {
 ///   - the tool is higher than `lowest` [m], measured from the base frame's origin opposite to gravity,
 ///   - little torque holds the arm still.
 ///
-/// thorough: true to try ten times as many positions and return up to 500. Then only positions are returned
-/// with the tool higher than `lowest` and a torque below kMostLoad.
+/// thorough: true to try ten times as many positions and return up to 500. In this case, at every
+/// returned position the tool is higher than `lowest` and the torque is below kMostLoad.
 std::vector<TaskPlace> task_places(const RobotModel& robot, TaskMask mask, double lowest, bool thorough);
 
 }  // namespace armtune::internal

@@ -15,12 +15,12 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kOffPath = 1e-3;  // m: as close a tool is there
+constexpr double kOffPath = 1e-3;  // m: a tool that is closer has reached its goal
 constexpr unsigned kPlacesTried = 30;
-constexpr int kTimesLooked = 20;    // at a path that was lost, for where it cannot be reached at all
-constexpr double kAtTarget = 0.02;  // m: as close no gaze can turn as fast as the line does
+constexpr int kTimesLooked = 20;    // number of times at which a lost path is checked
+constexpr double kAtTarget = 0.02;  // m: closer to the target, the line to it turns faster than any tool can
 
-/// The smallest distance from the goal's place that the tool was found to have, however it is turned [m].
+/// Returns the smallest distance from the goal that was found for the tool, in any orientation [m].
 double closest(const RobotModel& robot, const ToolGoal& goal) {
   double least = std::numeric_limits<double>::infinity();
   Poses poses;
@@ -33,7 +33,7 @@ double closest(const RobotModel& robot, const ToolGoal& goal) {
   return least;
 }
 
-/// Whether the arm can have its tool there at all, on whatever way.
+/// Returns true if the tool can be at the goal, whether or not the walk leads there.
 bool can_reach(const RobotModel& robot, const ToolGoal& goal) {
   for (unsigned start = 0; start < kPlacesTried; ++start) {
     JointVector q = sample_position(robot, start);
@@ -47,7 +47,8 @@ std::string place(const WalkPlace& at) {
                      at.tool.y(), at.tool.z());
 }
 
-/// Where the arm cannot have its tool at all, from where the walk lost the path on; empty: nowhere there.
+/// Returns a sentence about a point of the path that the tool cannot reach at all, after the point where the
+/// walk lost the path. Returns an empty text if there is none.
 std::string out_of_reach(const PathWalk& walk, const Scenario& scenario) {
   WalkPlace farthest;
   std::optional<WalkPlace> turned_wrong;
@@ -84,8 +85,8 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
         "the tool passes too close to its gaze target: {}, it is {:.3g} m away; move the path or the target",
         place(walk.sight), walk.sight.value);
   }
-  // A path that leaves the workspace stretches the arm into a singularity, but off one within it the damped
-  // inverse alone may lead.
+  // The workspace is checked before singularities, because a path that leaves it stretches the arm into one.
+  // Within the workspace, the damped inverse alone may lead the tool off the path.
   if (is_off_path(walk)) {
     if (std::string beyond = out_of_reach(walk, scenario); !beyond.empty()) return beyond;
   }
@@ -126,7 +127,7 @@ TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains) {
   }
   const PathWalk walk = walk_path(scenario, q, gains.joint_centering_gain, gains.roll_centering_gain);
   const bool leaves_limits = !is_off_path(walk) && !is_singular(walk) && walk.margin.value < 0.0;
-  // The roll of a gaze drifts by itself, which moves the last joint; a roll control would hold it.
+  // Without roll control, the roll of a gaze drifts and moves the last joint. Roll control can prevent this.
   const bool roll_drifts = walk.joint == scenario.robot->n() - 1 &&
                            RollCentering(*scenario.robot, 1.0, scenario.mask).is_on() &&
                            !scenario.orientation && gains.roll_centering_gain == 0.0;

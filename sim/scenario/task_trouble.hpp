@@ -1,6 +1,6 @@
 #pragma once
-// Explains why an arm cannot do the task of a scenario with any gains, in one sentence with place and number.
-// The reason is found before the first simulation, by inverse kinematics along the task (path_walk.hpp).
+// Explains in one sentence, with place and number, why an arm cannot do the task of a scenario. The reason is
+// found before the first simulation, by inverse kinematics along the task (a walk, see path_walk.hpp).
 
 #include <string>
 
@@ -22,9 +22,9 @@ struct TaskTrouble {
 
 /// Walks along the task and returns the problem that trouble() finds. The walk begins on the path near the
 /// joint_space_goal of the gains, at which the controller's state leaveSingularity ends. If there is no start
-/// position on the path near this goal, it begins at best_start_of_task(). If that throws, its message is the
-/// problem. Returns no problem for a scenario with a planned motion. Throws InputError if neither gains nor
-/// scenario have a goal.
+/// position on the path near this goal, the walk begins at best_start_of_task(). If that function throws, its
+/// message is the problem. Returns no problem for a scenario with a planned motion. Throws InputError if
+/// neither the gains nor the scenario have a goal.
 TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains);
 inline std::string task_trouble(const Scenario& scenario, const Gains& gains) {
   return find_task_trouble(scenario, gains).text;

@@ -13,7 +13,7 @@
 namespace armtune::internal {
 namespace {
 
-/// `ros2 topic echo` ends every message with such a line.
+/// Reads a message without the line "---" with which `ros2 topic echo` ends every message.
 yaml::Node parse_message(const std::string& path) {
   std::string text = read_input_file(path, yaml::kMaxBytes, "a trajectory message");
   while (text.ends_with('\n') || text.ends_with('\r')) text.pop_back();
@@ -21,7 +21,7 @@ yaml::Node parse_message(const std::string& path) {
   return yaml::parse_text(text, path);
 }
 
-/// The map that has `points`, at the top or within a goal or another message.
+/// Returns the map that has `points`, at the top or within a goal or another message.
 const yaml::Node& trajectory_in(const yaml::Node& root) {
   const yaml::Node* node = &root;
   while (node->kind() == yaml::Node::Kind::kMap && node->find("points") == nullptr) {
@@ -43,7 +43,7 @@ const yaml::Node& required(const yaml::Node& map, const char* key) {
   return *node;
 }
 
-/// Where each joint of the robot stands in the message.
+/// Returns the index of each joint of the robot in the message.
 std::vector<std::size_t> places_of(const yaml::Node& names, const RobotModel& robot) {
   const std::vector<std::string> in_file = names.as_strings();
   for (std::size_t i = 1; i < in_file.size(); ++i) {
@@ -64,7 +64,7 @@ std::vector<std::size_t> places_of(const yaml::Node& names, const RobotModel& ro
   return places;
 }
 
-/// {sec, nanosec} of ROS 2, {secs, nsecs} of ROS 1, or seconds.
+/// Returns a time [s] that is given as {sec, nanosec} (ROS 2), {secs, nsecs} (ROS 1) or a number of seconds.
 double seconds_in(const yaml::Node& time) {
   if (time.kind() != yaml::Node::Kind::kMap) return time.as_number();
   const bool ros1 = time.find("secs") != nullptr;
@@ -73,8 +73,7 @@ double seconds_in(const yaml::Node& time) {
          (nanoseconds == nullptr ? 0.0 : 1e-9 * nanoseconds->as_number());
 }
 
-/// True if all points lack time_from_start, or if it is 0 in all of them, as in a message that nobody filled
-/// in.
+/// True if all points lack time_from_start, or if it is 0 in all of them because nobody filled in the times.
 bool have_no_times(const yaml::Node& points) {
   const auto all = [&points](const auto& is) {
     return std::all_of(points.items().begin(), points.items().end(), [&is](const yaml::Node& point) {
@@ -85,7 +84,7 @@ bool have_no_times(const yaml::Node& points) {
          all([](const yaml::Node* time) { return time != nullptr && seconds_in(*time) == 0.0; });
 }
 
-/// An empty list stands for none.
+/// Returns the list at `key`, or null if it is absent or empty.
 const yaml::Node* numbers_in(const yaml::Node& point, const char* key) {
   const yaml::Node* node = point.find(key);
   return node == nullptr || node->kind() == yaml::Node::Kind::kNull || node->items().empty() ? nullptr : node;

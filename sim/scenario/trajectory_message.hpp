@@ -1,6 +1,6 @@
 #pragma once
-// Reads a joint motion from a YAML file with a trajectory_msgs/JointTrajectory of ROS 1 or ROS 2. The message
-// stands alone, within a RobotTrajectory, or within the goal of a FollowJointTrajectory.
+// Reads a joint motion from a YAML file with a trajectory_msgs/JointTrajectory of ROS 1 or ROS 2. The file
+// contains this message alone, in a RobotTrajectory, or in the goal of a FollowJointTrajectory action.
 
 #include <string>
 
@@ -13,10 +13,12 @@ namespace armtune::internal {
 bool is_trajectory_message(const std::string& path);
 
 /// Reads the message's points, in the order of the joints of this robot. Other joints in the file are
-/// ignored. Time is time_from_start. If it is missing or 0 in all points, the points are joint goals and
-/// there are no times. Throws InputError with file, line and key if a joint of the robot is missing, there
-/// are fewer than two points, only some of the points have velocities or accelerations, a number is missing,
-/// or times do not rise.
+/// ignored. The time of a point is its time_from_start. If that is missing or 0 in all points, the points are
+/// joint goals and there are no times. Throws InputError with file, line and key if:
+///   - a joint of the robot is missing, or a joint is listed twice,
+///   - there are fewer than two points,
+///   - only some of the points have velocities or accelerations,
+///   - a number is missing, a time is negative, or the times do not rise.
 MotionPoints load_trajectory_message(const std::string& path, const RobotModel& robot);
 
 }  // namespace armtune::internal

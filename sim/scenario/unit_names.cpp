@@ -15,13 +15,13 @@
 namespace armtune::internal {
 namespace {
 
-/// Whether a column has brackets behind its name: "x [m]", "time (s)".
+/// Returns true if a column has brackets after its name: "x [m]", "time (s)".
 bool has_brackets(std::string_view name) {
   const std::size_t open = name.find_last_of("[(");
   return open != std::string_view::npos && open > 0 && (name.ends_with(']') || name.ends_with(')'));
 }
 
-/// The name of a column without the unit behind it, which has to be what the file's numbers are said to be.
+/// Returns the name of a column without its unit. Throws InputError if the unit contradicts `units`.
 std::string without_unit(std::string_view name, const std::string& path, const yaml::FileUnits& units) {
   if (!has_brackets(name)) return std::string(name);
   const std::size_t open = name.find_last_of("[(");
@@ -39,7 +39,7 @@ std::string plain_names(const std::string& line, const std::string& path, const 
   std::vector<std::string> plain;
   plain.reserve(cells.size());
   for (const std::string_view cell : cells) plain.push_back(without_unit(cell, path, units));
-  // A column whose unit is not known would be left out, beside others that are read.
+  // A column with an unknown unit would be ignored silently while the others are read.
   bool any_unit = false;
   for (std::size_t i = 0; i < cells.size(); ++i) any_unit = any_unit || plain[i] != cells[i];
   for (const std::string& name : plain) {

@@ -8,9 +8,10 @@
 
 namespace armtune::internal {
 
-/// Returns a line of column names, separated by commas, with armtune's names: without units, and with `time`
-/// for the time. path: for messages. Throws InputError for a unit that contradicts `units`, and for an
-/// unknown unit beside known ones, because its column would otherwise be ignored silently.
+/// Returns the column names of `line`, separated by commas, without their units. The column of the time gets
+/// the name `time` if it is called t, T or time_from_start. path: name of the file in messages. Throws
+/// InputError for a unit that contradicts `units`. Also throws InputError for an unknown unit beside known
+/// ones, because its column would otherwise be ignored silently.
 std::string plain_names(const std::string& line, const std::string& path, const yaml::FileUnits& units);
 
 }  // namespace armtune::internal

@@ -26,7 +26,7 @@ GivenLimits read_limits(const yaml::Node& node) {
   return limits;
 }
 
-/// mass, center and moments.
+/// Reads mass, center and moments.
 GivenInertia read_inertia(yaml::MapReader& map) {
   GivenInertia given;
   const yaml::Node& mass = map.required("mass");
@@ -60,7 +60,7 @@ ShapeKind kind_of(SolidKind kind) {
   }
 }
 
-/// Shapes that are both seen and collided with.
+/// Reads shapes as collision geometry.
 std::vector<Shape> read_shapes(const yaml::Node& node) {
   std::vector<Shape> shapes;
   for (const yaml::Node& item : node.items()) {
@@ -82,7 +82,7 @@ std::vector<Shape> read_shapes(const yaml::Node& node) {
 void read_tool(const yaml::Node& node, UrdfOptions& options) {
   yaml::MapReader map(node);
   for (const char* key : {"xyz", "rpy", "mass", "center", "moments", "shapes"}) map.ignore(key);
-  map.finish();  // a misspelt key is not to be told as another one that is missing
+  map.finish();  // reports a misspelt key before the reads below report a missing one
   if (const yaml::Node* xyz = map.optional("xyz")) options.p_tip_T = Vec3(xyz->as_numbers(3).data());
   if (const yaml::Node* rpy = map.optional("rpy")) {
     const auto angles = rpy->as_numbers(3);

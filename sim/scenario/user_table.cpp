@@ -25,10 +25,10 @@ namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMostBytes = 48U << 20;
-constexpr std::ptrdiff_t kMostCells = 10'000;  // of a line
+constexpr std::ptrdiff_t kMostCells = 10'000;  // in a line
 
-/// The text with commas between its cells, whatever stands there. Throws InputError for a number with a comma
-/// in it.
+/// Returns the text with commas between its cells, whichever separator the file has. Throws InputError for a
+/// cell that contains a comma.
 std::string with_commas(std::string_view text, const std::string& path, ColumnNames names) {
   std::string result;
   result.reserve(text.size() + 1);
@@ -78,7 +78,7 @@ bool is_number(std::string_view text) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-/// Whether the first line of a table with commas holds numbers and no names.
+/// Returns true if the first line of a table with commas has only numbers.
 bool has_no_names(const std::string& text) {
   std::vector<std::string_view> cells;
   split_cells(std::string_view(text).substr(0, text.find('\n')), ',', cells);
@@ -104,7 +104,7 @@ ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std
   const std::string& path = file.path;
   std::string text = with_commas(read_input_file(path, kMostBytes, "a CSV file"), path, names);
   std::string name = path;
-  const std::size_t end = std::min(text.find('\n'), text.size());  // of the line of names
+  const std::size_t end = std::min(text.find('\n'), text.size());  // end of the first line
   if (has_no_names(text)) {
     if (file.columns.empty()) {
       throw InputError(

@@ -9,7 +9,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Distance of a point from the line between a and b [m].
+/// Returns the distance of a point from the line segment between a and b [m].
 double distance_from_line(const Vec3& point, const Vec3& a, const Vec3& b) {
   const Vec3 line = b - a;
   const double length_squared = line.squaredNorm();
@@ -25,7 +25,8 @@ double lowest(const RobotModel& robot, const Poses& poses) {
   return height;
 }
 
-/// The last links are where the tool is: they do not count.
+/// Returns the distance of the tool from the nearest link [m]. The last links do not count, because they are
+/// always close to the tool.
 double folded(const Poses& poses) {
   double least = distance_from_line(poses.p_0T, Vec3::Zero(), poses.p_0B[0]);
   for (int i = 0; i + 3 < poses.n; ++i) {

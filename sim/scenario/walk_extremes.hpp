@@ -24,7 +24,7 @@ struct PathWalk {
   /// The initial value of a minimum.
   static constexpr double kUnseen = std::numeric_limits<double>::infinity();
 
-  WalkPlace left;   ///< first place more than a millimetre off the path; value 0: there is none
+  WalkPlace left;   ///< first place where the tool is more than 1 mm off the path; value 0: there is none
   WalkPlace error;  ///< largest distance of the tool from the path [m]
   WalkPlace manipulability{0.0, Vec3::Zero(), kUnseen};  ///< smallest, for the task (NOTATION.md, equation 4)
   WalkPlace margin{0.0, Vec3::Zero(),

@@ -20,8 +20,8 @@ namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMostWaypoints = 20000;
-constexpr double kFastest = 1e6;  // m/s, m/s^2: beyond it is no motion of an arm
-constexpr double kUnit = 1e-3;    // by which a quaternion's length may miss 1
+constexpr double kFastest = 1e6;  // m/s, m/s^2: no arm moves faster
+constexpr double kUnit = 1e-3;    // largest difference of a quaternion's length from 1
 constexpr std::array kPlace{"x", "y", "z"};
 constexpr std::array kTurn{"qw", "qx", "qy", "qz"};
 
@@ -48,7 +48,7 @@ ParsedTable read_table(const UserTable& waypoints) {
   return named;
 }
 
-/// These columns of every row.
+/// Returns the numbers in these columns, row by row.
 template <std::size_t N>
 std::vector<std::array<double, N>> numbers(const CsvTable& table, const std::array<const char*, N>& names,
                                            const std::string& path) {

@@ -2,8 +2,8 @@
 // Reads the waypoints of a path from a user's CSV file, with the columns time [s], x, y, z [m, base frame].
 // Waypoints of a tool may have an orientation, as a quaternion in the columns qw, qx, qy, qz. These columns
 // can replace the position or be added to it. Cells are separated by commas, semicolons, tabs or blanks, and
-// names may have capitals. A scenario that refers to the file can declare other units, and the columns of a
-// file without column names.
+// column names may be in upper or lower case. A scenario that refers to the file can declare other units, and
+// the names of the columns.
 
 #include "core/trajectory/position_spline.hpp"
 #include "core/trajectory/tool_orientation.hpp"

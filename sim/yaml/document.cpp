@@ -28,12 +28,12 @@ constexpr std::string_view kCoreTags = "tag:yaml.org,2002:";
 
 }  // namespace
 
-/// Builds our tree from yaml-cpp's events and refuses at the first event that should not be: nothing is ever
-/// expanded, so an alias bomb or a huge list costs no more than its first offending item.
+/// Builds the tree of nodes from yaml-cpp's events, and throws at the first event that is not accepted.
+/// Aliases are never expanded. A file with nested aliases or a huge list is therefore refused at little cost.
 class TreeBuilder final : public YAML::EventHandler {
  public:
-  /// `text` outlives the builder; it is what yaml-cpp's marks point into.
-  /// `scale` multiplies the limits of the number of values and of the paths' total length.
+  /// text: the parsed text, to which yaml-cpp's marks refer; it must outlive the builder.
+  /// scale: factor on the limits of the number of values and of the total length of the key paths.
   TreeBuilder(std::string_view text, std::shared_ptr<const std::string> file, std::size_t scale)
       : text_(text),
         file_(std::move(file)),
@@ -42,7 +42,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   std::optional<Node> take_root() { return std::move(root_); }
 
-  /// An error of yaml-cpp itself, in our words where its own mislead.
+  /// Throws InputError for a syntax error of yaml-cpp. The message is replaced or extended where it misleads.
   [[noreturn]] void fail_syntax(const YAML::Exception& error) const {
     const int line = std::max(error.mark.line, 0) + 1;
     if (error.msg.starts_with(YAML::ErrorMsg::UNKNOWN_ANCHOR)) refuse_alias(line);
@@ -114,14 +114,14 @@ class TreeBuilder final : public YAML::EventHandler {
   void OnMapEnd() override { close(); }
 
  private:
-  /// A list or map whose end has not come yet.
+  /// A list or map whose end was not reached yet.
   struct Open {
     Node node;
-    std::optional<std::string> key;  ///< of the value that comes next, in a map
-    int key_line = 0;                ///< where that key is
-    /// Line of every key so far: a hash, so that a large map is not quadratic.
+    std::optional<std::string> key;  ///< in a map: the key of the next value
+    int key_line = 0;                ///< line of that key
+    /// Line of every key so far. With a hash table the time for a large map does not grow quadratically.
     std::unordered_map<std::string, int> key_lines;
-    bool is_key = false;  ///< stands where a map has its key
+    bool is_key = false;  ///< true if this is itself the key of a map
   };
 
   static int line_of(const YAML::Mark& mark) { return mark.line + 1; }
@@ -155,7 +155,8 @@ class TreeBuilder final : public YAML::EventHandler {
     return node;
   }
 
-  /// Every value holds its path: without a limit, one long key above a long list would fill the memory.
+  /// Throws InputError if the key paths are too long. Every value stores its path, so that one long key above
+  /// a long list could otherwise fill the memory.
   void check_path(const Node& node) {
     if (node.key_path_.size() > kMaxPathBytes) {
       fail_at(*file_, node.line_, {},
@@ -200,7 +201,7 @@ class TreeBuilder final : public YAML::EventHandler {
     Node node = std::move(open_.back().node);
     open_.pop_back();
     if (is_key) {
-      open_.back().key.emplace();  // only until the document ends and is refused
+      open_.back().key.emplace();  // a placeholder; OnDocumentEnd() refuses the document
     } else {
       attach(std::move(node));
     }
@@ -241,8 +242,8 @@ class TreeBuilder final : public YAML::EventHandler {
             fmt::format("tag {} is not accepted here; remove it", shown(tag)));
   }
 
-  /// yaml-cpp takes the end of the text for the closing quote; the rest of the file would silently become
-  /// part of the string, and its keys would get their defaults.
+  /// Throws InputError for a quote that is never closed. yaml-cpp accepts the end of the text in its place.
+  /// The rest of the file would silently become part of the string, and its keys would get their defaults.
   void check_quotes(const YAML::Mark& mark) const {
     std::string_view rest = rest_at(mark);
     if (rest.starts_with('!')) {
@@ -254,7 +255,7 @@ class TreeBuilder final : public YAML::EventHandler {
             fmt::format("the quote {} opened here is never closed; close it", rest[0]));
   }
 
-  /// Line of an empty list element: yaml-cpp marks it at whatever comes after it.
+  /// Returns the line of an empty list element. yaml-cpp's mark is at the text that follows the element.
   int line_of_null(const YAML::Mark& mark) const {
     for (const std::string_view word : {"~", "null", "Null", "NULL"}) {
       if (rest_at(mark).starts_with(word)) return line_of(mark);
@@ -269,8 +270,8 @@ class TreeBuilder final : public YAML::EventHandler {
   std::shared_ptr<const std::string> file_;
   std::vector<Open> open_;
   std::optional<Node> root_;
-  /// Line and parent of the first key that is a list or a map. Refused only at the end of the document: a
-  /// bracket that is never closed looks like one until then, and deserves its own message.
+  /// Line and parent of the first key that is a list or a map. The key is refused only at the end of the
+  /// document. Until then it could also be a bracket that is never closed, which has its own message.
   std::optional<std::pair<int, std::string>> container_key_;
   std::size_t max_items_;
   std::size_t max_all_path_bytes_;
@@ -284,7 +285,7 @@ Node parse_text(const std::string& text, const std::string& file_name, std::size
   check_characters(text, file_name);
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::string body = text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
-  // yaml-cpp reads the version with the global locale, and refuses 1.2 where the decimal point is a comma.
+  // yaml-cpp reads the version in the global locale. It refuses 1.2 if the decimal point is a comma there.
   if (body.starts_with("%YAML 1.")) body[0] = '#';
   const std::size_t scale = std::max<std::size_t>(1, max_bytes / kMaxBytes);
   TreeBuilder builder(body, std::make_shared<const std::string>(file_name), scale);

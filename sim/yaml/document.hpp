@@ -13,14 +13,15 @@
 namespace armtune::internal::yaml {
 
 inline constexpr std::size_t kMaxBytes = 4 * 1024 * 1024;  ///< largest text [byte]
-inline constexpr std::size_t kMaxItems =
-    200'000;  ///< most values, containers included, for a limit of kMaxBytes; grows with a higher limit
+/// Largest number of values, lists and maps included. It applies to texts of up to kMaxBytes. If a caller
+/// allows larger texts, the limit grows in proportion.
+inline constexpr std::size_t kMaxItems = 200'000;
 inline constexpr std::size_t kMaxKeys = 100'000;    ///< most keys of one map
 inline constexpr std::size_t kMaxDepth = 64;        ///< deepest nesting of lists and maps
 inline constexpr std::size_t kMaxKeyBytes = 4096;   ///< longest key [byte]; run.yaml has paths as keys
 inline constexpr std::size_t kMaxPathBytes = 8192;  ///< longest key path [byte]
-/// Largest total length of all key paths [byte], for a limit of kMaxBytes; grows with a higher limit. Every
-/// value stores its own path.
+/// Largest total length of all key paths [byte]. Every value stores its own path. The limit grows as
+/// kMaxItems does.
 inline constexpr std::size_t kMaxAllPathBytes = 32 * 1024 * 1024;
 
 /// A value of a document: empty, a scalar, a list or a map, with its place in the file. It is immutable.
@@ -47,7 +48,7 @@ class Node {
   double as_number() const;
   /// Returns an integer, written as decimal digits with an optional sign. Neither 010 nor 3.0 is accepted.
   long as_integer() const;
-  /// Returns the value of true or false in lower case. The words yes, no, on and off are not accepted.
+  /// Returns the value of the word true or false, in lower case. Yes, no, on and off are not accepted.
   bool as_boolean() const;
   std::vector<double> as_numbers() const;
   /// Returns a list of exactly `count` numbers.
@@ -64,7 +65,7 @@ class Node {
   /// True if this is the scalar `text`. Meant for keys that take a word or a number.
   bool is_word(std::string_view text) const { return kind_ == Kind::kScalar && text_ == text; }
 
-  /// Throws InputError "FILE:LINE: key 'a/b': what", on one line whatever `what` contains.
+  /// Throws InputError "FILE:LINE: key 'a/b': what". The message has one line even if `what` has several.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
@@ -87,14 +88,18 @@ class Node {
   std::vector<std::pair<std::string, Node>> entries_;
 };
 
-/// Reads one document from a file. Throws InputError, with the file and where known the line, for: a missing
-/// file, a directory, an unreadable or empty file, a file over one of the limits above, syntax errors,
-/// control characters, UTF-16, a quote that is never closed, duplicate keys, keys that are not scalars,
-/// anchors and aliases, tags other than YAML's core ones, and a second document. A block-style file that was
-/// cut off between two entries is still valid YAML and cannot be told from a complete one.
+/// Reads one document from a file. Throws InputError, with the file and where known the line, for:
+///   - a file that is missing, a directory, unreadable, empty or beyond one of the limits above,
+///   - control characters, UTF-16, and other text that is not UTF-8,
+///   - syntax errors, a quote that is never closed, and a second document,
+///   - duplicate keys, and keys that are not scalars,
+///   - anchors, aliases, and tags other than YAML's core ones.
+/// A block-style file that was cut off between two entries is still valid YAML. It cannot be distinguished
+/// from a complete file.
 Node parse_file(const std::string& path);
 
-/// Reads a file that armtune itself wrote, of at most `max_bytes`. The file is read again in every call.
+/// Reads a file of at most `max_bytes` that armtune itself wrote. Every call reads it from the disk again,
+/// while the function above may return what an InputRecord kept.
 Node parse_file(const std::string& path, std::size_t max_bytes);
 
 /// Reads one document from a text in memory. `file_name` is only used in messages.

@@ -17,7 +17,7 @@ struct FileUnits {
 
 /// Reads {time: s, ms, us or ns, length: m, cm, mm or in, angle: rad or deg, torque: N m or mN m}. If a key
 /// is left out, its SI unit applies. allowed: the keys that may be given, with blanks between them. Throws
-/// InputError with file, line and key for any other key.
+/// InputError with file, line and key for any other key or unit.
 FileUnits read_file_units(const Node& node, const char* allowed);
 
 /// Compares the unit of a column with the declared ones. Returns true if `unit` agrees with `units`, and

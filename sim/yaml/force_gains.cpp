@@ -14,7 +14,7 @@ bool is_number(const Node* node) {
   return node->kind() != Node::Kind::kSequence && node->kind() != Node::Kind::kMap;
 }
 
-/// The value of each force point, in joint order if they have names.
+/// Returns the value of each force point (force_gains.hpp), in joint order if the points have names.
 std::vector<const Node*> values_of(const Node& node, const std::vector<std::string>& joints) {
   std::vector<const Node*> values;
   if (node.kind() != Node::Kind::kMap) {

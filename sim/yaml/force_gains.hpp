@@ -1,5 +1,5 @@
 #pragma once
-// Reads the gains of the virtual forces by which obstacles repel the arm from YAML. The forces act at points
+// Reads from YAML the gains of the virtual forces by which obstacles repel the arm. The forces act at points
 // of the arm. There is one number per point, or one list of n numbers (one for each joint) per point.
 
 #include "core/control/force_gains.hpp"

@@ -54,8 +54,8 @@ void MapReader::none_of(std::initializer_list<std::string_view> keys) const {
   map_.fail(fmt::format("one of these keys must be given: {}{}", fmt::join(keys, ", "), hint));
 }
 
-// A misspelt key itself would only be reported by finish(), which an error of a missing one keeps from being
-// reached.
+// Returns the keys of the file that are not known. One of them may be the misspelling of a missing key. Only
+// finish() reports unknown keys, and after the error for a missing key it is not called.
 std::vector<std::string> MapReader::unread() const {
   std::vector<std::string> names;
   for (const auto& [name, value] : map_.entries()) {

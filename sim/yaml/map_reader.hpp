@@ -14,8 +14,8 @@ namespace armtune::internal::yaml {
 /// A reader of one map. Request every key, then call finish(). A key counts as known once any member has
 /// requested it.
 ///
-/// The typed reads throw the InputErrors of Node. A default replaces only a key that is absent, never one
-/// that is there with an empty value or one of another type.
+/// The typed reads throw the InputErrors of Node. A default is used only if the key is absent. An empty value
+/// or a value of another type is an error.
 class MapReader {
  public:
   /// Throws InputError if `map` is not a map. `map` must outlive the reader.
@@ -26,7 +26,7 @@ class MapReader {
   const Node* optional(std::string_view key);
   /// Returns the value. Throws InputError naming key and map if the key is absent.
   const Node& required(std::string_view key);
-  /// Throws the InputError for a map that must have one of `keys` and has none.
+  /// Throws InputError. It is for a map that must have one of `keys` and has none of them.
   [[noreturn]] void none_of(std::initializer_list<std::string_view> keys) const;
   bool has(std::string_view key);
   /// Accepts the key, absent or with any value, because other code reads it.

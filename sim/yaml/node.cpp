@@ -1,4 +1,4 @@
-// Node: typed reads of one value.
+// Implements the typed reads of Node.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,8 @@
 namespace armtune::internal::yaml {
 namespace {
 
-/// std::from_chars over all of `text`, with the '+' that it does not know: no locale, no octal, no spaces.
+/// Converts the whole of `text` by std::from_chars, without locale, octal numbers or spaces. Unlike
+/// std::from_chars, it accepts a leading '+'.
 template <typename T>
 std::errc convert(std::string_view text, T& value) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
@@ -24,7 +25,7 @@ std::errc convert(std::string_view text, T& value) {
   return end == last || error == std::errc::invalid_argument ? error : std::errc::invalid_argument;
 }
 
-/// The digits of an integer with leading zeros, without those zeros; empty for any other text.
+/// Returns an integer with leading zeros without these zeros. Returns an empty text for any other text.
 std::string without_leading_zeros(std::string_view text) {
   const bool sign = !text.empty() && (text[0] == '-' || text[0] == '+');
   const std::string_view digits = text.substr(sign ? 1 : 0);
@@ -150,7 +151,7 @@ const std::vector<Node>& Node::items() const {
 
 const std::vector<std::pair<std::string, Node>>& Node::entries() const {
   if (kind_ == Kind::kMap) return entries_;
-  // 'mass:5' is one plain scalar to YAML, and the most common way to lose a map.
+  // YAML reads 'mass:5' as one plain scalar. It is the most common reason why a map is missing.
   const bool no_space = kind_ == Kind::kScalar && !is_text_ && text_.find(':') != std::string::npos;
   fail(fmt::format("{}; expected a map of 'key: value'{}", description(),
                    no_space ? ", with a space after the colon" : ""));

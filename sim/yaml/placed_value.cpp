@@ -23,7 +23,8 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 class PlacedBuilder final : public YAML::EventHandler {
  public:
-  /// text: without a byte order mark, which took `before` bytes of the file. Both outlive the builder.
+  /// text: the file without its byte order mark. before: size of that mark [byte]. text and file must outlive
+  /// the builder.
   PlacedBuilder(std::string_view text, std::size_t before, const std::string& file)
       : text_(text), before_(before), file_(file) {}
 
@@ -52,7 +53,7 @@ class PlacedBuilder final : public YAML::EventHandler {
     if (takes_key(mark, value)) return;
     auto scalar = start(mark, PlacedValue::Kind::kScalar);
     scalar->text = value;
-    // Whatever is written otherwise than it reads (quoted, tagged, folded) has no place.
+    // A scalar gets no position if its text in the file differs from its value (quoted, tagged, folded).
     const std::size_t at =
         behind_anchor(std::min(text_.size(), static_cast<std::size_t>(std::max(mark.pos, 0))));
     if (!closes_quote(text_.substr(at))) fail(mark, "the quote opened here is never closed; close it");
@@ -81,7 +82,7 @@ class PlacedBuilder final : public YAML::EventHandler {
   struct Open {
     std::shared_ptr<PlacedValue> value;
     YAML::anchor_t anchor = 0;
-    std::optional<std::string> key;  ///< of the value that comes next, in a map
+    std::optional<std::string> key;  ///< in a map: the key of the next value
     std::unordered_map<std::string, int> key_lines;
   };
 
@@ -89,7 +90,7 @@ class PlacedBuilder final : public YAML::EventHandler {
     fail_at(file_, mark.line + 1, {}, what);
   }
 
-  /// Where the value begins that an anchor at `at` stands before.
+  /// Returns the position of the value that follows an anchor at `at`; `at` itself if there is no anchor.
   std::size_t behind_anchor(std::size_t at) const {
     if (at >= text_.size() || text_[at] != '&') return at;
     const std::size_t blank = std::min(text_.find_first_of(" \t\r\n", at), text_.size());
@@ -154,7 +155,7 @@ class PlacedBuilder final : public YAML::EventHandler {
     }
   }
 
-  /// Takes over what "<<" names and the map does not have itself.
+  /// Adds the entries of the maps to which "<<" refers, except those whose keys the map has itself.
   void merge(PlacedValue& map) {
     std::vector<Placed> merged;
     for (const PlacedEntry& entry : map.entries) {

@@ -19,7 +19,7 @@ using Placed = std::shared_ptr<const PlacedValue>;
 struct PlacedEntry {
   std::string key;  ///< in a map
   Placed value;
-  bool alias = false;  ///< true if the value is written elsewhere and used here by an alias or a merge key
+  bool alias = false;  ///< true if the value is written elsewhere, and an alias or a merge key refers to it
 };
 
 struct PlacedValue {

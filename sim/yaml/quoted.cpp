@@ -13,7 +13,7 @@ namespace armtune::internal::yaml {
 namespace {
 
 constexpr std::size_t kLongestKeyInLine = 1000;  // readers look 1024 characters ahead for the colon
-/// What YAML 1.1, which most readers speak, takes for a truth value or for nothing.
+/// The words that YAML 1.1, which most readers follow, takes for a boolean or for null.
 constexpr std::array<std::string_view, 9> kReserved = {"true", "false", "yes", "no", "on",
                                                        "off",  "null",  "y",   "n"};
 

@@ -7,8 +7,8 @@
 
 namespace armtune::internal::yaml {
 
-/// Returns the text in double quotes. Quotes, backslashes and characters that are not printable (see
-/// is_printable) are escaped, because for some readers some of the latter end a line. YAML cannot express a
+/// Returns the text in double quotes. Quotes and backslashes are escaped. So are characters that are not
+/// printable (see is_printable), because some readers take some of them for a line end. YAML cannot express a
 /// byte that is not UTF-8; such a byte becomes the character with the same code.
 std::string quoted(const std::string& text);
 

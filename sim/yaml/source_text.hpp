@@ -1,5 +1,5 @@
 #pragma once
-// Checks of a YAML text before it is parsed, and messages that name a place in it. Private to sim/yaml.
+// Checks a YAML text before it is parsed, and throws errors that name a place in it. Only sim/yaml uses this.
 
 #include <string>
 #include <string_view>

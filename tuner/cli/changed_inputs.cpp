@@ -12,9 +12,9 @@
 namespace armtune::internal::cli {
 namespace {
 
-constexpr std::string_view kInput = "inputs/";  // of run.yaml's keys
+constexpr std::string_view kInput = "inputs/";  // prefix of run.yaml's keys for input files
 
-/// Whether run.yaml may have shown the file at this absolute path so.
+/// Returns true if `text`, an input in run.yaml, may mean the file at this absolute path.
 bool may_mean(const std::string& text, const std::string& path) {
   if (text.starts_with('/')) return text == path;
   std::string shown = std::filesystem::path(text).lexically_normal().string();

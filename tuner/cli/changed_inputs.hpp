@@ -1,5 +1,6 @@
 #pragma once
-// Tells whether the files from which a run was made have changed since.
+// Finds input files of a run that have changed since the run was made. `armtune sensitivity` and `armtune
+// yardstick` refuse to work with such a run.
 
 #include <string>
 #include <utility>
@@ -7,15 +8,16 @@
 
 namespace armtune::internal::cli {
 
-/// The files that a run was made from, as its run.yaml shows them, and their hashes.
+/// The input files of a run: pairs of the path as run.yaml shows it, and the hash of the file.
 using RunInputs = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns the inputs of a run folder; none if it has no run.yaml. Throws InputError if that cannot be read.
+/// Returns the inputs of the run in a folder, or none if the folder has no run.yaml. Throws InputError if
+/// run.yaml cannot be read.
 RunInputs inputs_of_run(const std::string& run);
 
-/// Returns the first of these files that was an input of the run with other contents, or an empty text. A
-/// relative path in run.yaml began at the folder where the run was started, which is not known: it means any
-/// file whose path ends with it.
+/// Returns the first of `files` that was an input of the run but has other contents now, or an empty text if
+/// there is none. A relative path in run.yaml starts at the folder in which the run was started. That folder
+/// is not known here, so the path matches every file whose path ends with it.
 std::string changed_input(const RunInputs& inputs, const std::vector<std::string>& files);
 
 }  // namespace armtune::internal::cli

@@ -1,4 +1,4 @@
-// armtune compare: gain sets side by side over the same scenarios.
+// The command `armtune compare`, which simulates several gain sets in the same scenarios.
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -29,11 +29,12 @@ struct Arguments {
   std::string stepper = "midpoint";
   bool all_metrics = false;
   bool gains_only = false;
-  std::string robot;  ///< of --gains alone
+  std::string robot;  ///< used only with --gains
   RolloutSettings settings = {};
 };
 
-/// Those asked for; else those of the first run folder's study; else those of the bundled study.
+/// Returns the scenarios that the user named, else those of the first run folder's study, else those of the
+/// bundled study ur10_gaze.
 std::vector<Scenario> scenarios_of(const Arguments& args) {
   const auto run = std::find_if(args.sets.begin(), args.sets.end(), [](const std::string& set) {
     std::error_code ignored;

@@ -19,9 +19,10 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
 /// empty if it was interrupted.
 std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder);
 
-/// Does this for a run, in a folder beside the run's own: place.folder with _study at its end. place.folder:
-/// set to the default if it is empty. If the run is resumed, its study is there already, and nothing is
-/// written. Throws InputError if there are several MPI ranks, or if the run's folder is in use.
+/// Calls make_controller_study for a run, and returns the same. The study's folder is place.folder with
+/// "_study" appended. If place.folder is empty, it is set to the default run folder first. If the run is
+/// resumed, its study exists already, and nothing is written. Throws InputError for a new run if there are
+/// several MPI ranks, or if the run's folder exists and is not empty.
 std::string study_beside_run(const ControllerStudyInputs& inputs, RunPlace& place, bool several_ranks);
 
 }  // namespace armtune::internal::cli

@@ -1,4 +1,5 @@
-// armtune controllers, metrics, algorithms: what a study can name, as it is declared.
+// The commands `armtune controllers`, `armtune metrics` and `armtune algorithms`, which list the names that a
+// study can use.
 
 #include <CLI/CLI.hpp>
 #include <string>

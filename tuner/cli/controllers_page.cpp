@@ -7,7 +7,7 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// One that only some controllers have.
+/// Returns true if only some controllers have this gain.
 bool is_of_some(const GainField& field) {
   return field.of_law || std::holds_alternative<OwnGain>(field.member);
 }

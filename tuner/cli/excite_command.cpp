@@ -1,4 +1,5 @@
-// armtune excite: a trajectory that shows an arm's parameters, and simulated logs of it.
+// The command `armtune excite`, which designs a trajectory for identifying an arm's dynamics, and simulates
+// logs of it.
 
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -1,5 +1,6 @@
 #pragma once
-// The options of `armtune excite` that shape its motion, and the settings that follow from its options.
+// The command line options of `armtune excite`, which designs a motion for identifying an arm's dynamics.
+// Adds the options that shape the motion, and converts all options to the settings of a session.
 
 #include <cmath>
 #include <string>
@@ -16,7 +17,7 @@ namespace armtune::internal::cli {
 struct ExciteArguments {
   std::string robot;                   ///< bundled robot, robot YAML or URDF
   std::vector<double> center_deg;      ///< one per joint [deg, m]; empty: the middle of the position limits
-  std::vector<std::string> scenarios;  ///< whose arms write logs
+  std::vector<std::string> scenarios;  ///< scenarios whose arms are simulated
   double fade = NAN;                   ///< [s]; NaN: depends on the duration
   ExciteSettings settings = {};
 };
@@ -24,8 +25,8 @@ struct ExciteArguments {
 /// Adds the options that shape the motion.
 void add_motion_options(CLI::App& command, ExciteArguments& args);
 
-/// Returns the settings of a session. Throws InputError if a file cannot be used, or if the scenarios have
-/// another robot.
+/// Converts the options to the settings of a session. Throws InputError if a file cannot be used, or if a
+/// scenario has another robot than args.robot.
 ExciteSettings settings_of(const ExciteArguments& args);
 
 }  // namespace armtune::internal::cli

@@ -1,7 +1,7 @@
 #pragma once
 // Prints the progress and the results of `armtune excite`. This command designs a trajectory from which an
-// arm's dynamics can be identified. The command also simulates this
-// trajectory and writes logs like those of a real arm.
+// arm's dynamics can be identified. It also simulates this trajectory, and writes logs like those of a real
+// arm.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/identification/session/excite_session.hpp"

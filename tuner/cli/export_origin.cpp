@@ -48,7 +48,7 @@ std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& 
     return !row.first.starts_with("input ") || std::find(origin.begin(), origin.end(), row) != origin.end();
   };
   const bool of_other_arm = !std::all_of(of_robot.begin(), of_robot.end(), is_known);
-  const auto own = find_run_file(folder, "gains.yaml");  // a front has none
+  const auto own = find_run_file(folder, "gains.yaml");  // a Pareto front has no such file
   const bool of_other_gains = !own || hash_of_input(path) != hash_of_input(*own);
   if (!of_other_arm && !of_other_gains) return origin;
   origin = origin_of_run(folder, false);

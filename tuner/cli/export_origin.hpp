@@ -26,8 +26,8 @@ std::shared_ptr<const RobotModel> robot_of(const GainsToExport& what, const std:
 std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& what, const std::string& path,
                                                            const std::string& run, const std::string& robot);
 
-/// Prints a warning if the gains at `path` are those that a run ended with, and failed one of its simulation
-/// checks. run: the folder that the gains are in, or empty.
+/// Prints a warning if the gains at `path` are the final gains of a run that failed a simulation check. run:
+/// the folder that the gains are in, or empty.
 void warn_of_failed_checks(const std::string& path, const std::string& run);
 
 }  // namespace armtune::internal::cli

@@ -24,12 +24,12 @@ struct GainSet {
 };
 
 /// Reads the gains of a set, for the robot of the first scenario. scenarios: at least one. Throws InputError
-/// if the gains do not fit the robot of every scenario. Also throws if the tool's path
-/// makes a joint drift beyond its position limits whatever the gains.
+/// if the gains do not fit the robot of every scenario. Also throws if the tool's path makes a joint drift
+/// beyond its position limits, whatever the gains are.
 GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios);
 
-/// Returns the gains of a file, which is read for each scenario's robot. name: name of the set in tables.
-/// Throws InputError if there is no such file.
+/// Returns the gain set in a file. The file is read for each scenario, with the joints of its robot. name:
+/// name of the set in tables. Throws InputError if there is no such file.
 GainsToSimulate gains_to_simulate(const std::string& name, const std::string& file);
 
 }  // namespace armtune::internal::cli

@@ -1,4 +1,4 @@
-// armtune identify: an arm's parameters from logs of its motion.
+// The command `armtune identify`, which finds an arm's dynamic parameters from logs of its motion.
 
 #include <CLI/CLI.hpp>
 #include <memory>

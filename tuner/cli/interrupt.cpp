@@ -11,13 +11,14 @@
 namespace armtune::internal::cli {
 namespace {
 
-// A signal handler reaches nothing but globals.
+// A signal handler can only reach globals.
 std::atomic<bool> stop{false};       // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<std::int64_t> first{0};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// A launcher may hand one interrupt on twice, to its child and to the group.
+/// A launcher may pass one interrupt on twice, to its child and to the process group. Within this time a
+/// second signal therefore counts as the same interrupt.
 constexpr std::int64_t kOneInterrupt = 500'000'000;  // ns
 
 std::int64_t now() {
@@ -44,7 +45,7 @@ std::atomic<bool>& stop_requested() {
 void catch_interrupts() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  // A terminal that closes; not for those that were told to outlive it (nohup).
+  // SIGHUP comes when the terminal closes. If it is ignored at the start (nohup), it stays ignored.
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 

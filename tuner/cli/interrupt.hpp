@@ -12,6 +12,7 @@ namespace armtune::internal::cli {
 /// Returns the flag that is true once the user asked to stop. The first signal sets it. A further signal ends
 /// the program at once if it comes more than half a second after the first one.
 std::atomic<bool>& stop_requested();
+/// Makes SIGINT, SIGTERM and SIGHUP set this flag. SIGHUP stays ignored if it was ignored before (nohup).
 void catch_interrupts();
 /// Ignores SIGINT, SIGTERM and SIGHUP from now on. Called in a process that another process stops, such as an
 /// MPI rank other than 0, and in a process that has nothing left to save.

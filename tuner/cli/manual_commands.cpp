@@ -1,4 +1,5 @@
-// armtune man, armtune completion: what is declared, in the forms that man and shells read.
+// The commands `armtune man` and `armtune completion`, which print the manual page and the completion scripts
+// of shells. Both are generated from the options that the program declares.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

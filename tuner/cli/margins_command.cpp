@@ -1,4 +1,5 @@
-// armtune margins: the stability margins of a gain set: extra delay, gain, control rate and noise.
+// The command `armtune margins`, which finds the stability margins of a gain set: extra delay, gain, control
+// rate and noise.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,7 +33,7 @@ int run(const Arguments& args) {
   MarginsSettings settings = args.settings;
   settings.options.stepper = stepper_from_name(args.stepper);
   settings.options.limits = parse_limits(args.limits);
-  // Unless others are asked for: the task's own, on the arm of the model and on the realistic one.
+  // The default scenarios are four motions, each with the ideal arm and with the realistic arm.
   settings.scenarios = scenarios_of(
       args.set, args.scenarios,
       {"fixed_target", "moving_target", "target_switch", "obstacle_pass", "realistic_fixed_target",

@@ -1,4 +1,4 @@
-// Where armtune is built without the planner.
+// Replaces yardstick_option.cpp if armtune is built without the planner.
 
 #include "tuner/cli/yardstick_option.hpp"
 

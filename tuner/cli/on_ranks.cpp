@@ -26,13 +26,13 @@ std::string what_of(const std::exception_ptr& failure) {
   }
 }
 
-/// A command gets nothing but its own options from the command line's parser.
+/// The group of ranks of this run. It is global, because the parser passes only options to a command.
 RankGroup*& current_team() {
   static RankGroup* team = nullptr;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
   return team;
 }
 
-/// Takes the place of a progress line on a terminal, which appears again behind it.
+/// Prints a line on stderr. On a terminal it replaces the progress line, which then appears again below.
 void say_while_running(const std::string& what) {
   const std::string line = (::isatty(STDERR_FILENO) == 1 ? "\r\033[Karmtune: " : "armtune: ") + what + '\n';
   std::fputs(line.c_str(), stderr);
@@ -47,8 +47,8 @@ int lead(RankGroup& team, const std::string& command_line, const std::function<i
     exit_code = report(std::current_exception());
   }
   std::fflush(stdout);
-  // A launcher that sees another rank end with this exit code first may end this one, which has nothing left
-  // to save.
+  // If another rank ends first with this exit code, the launcher may send signals to this rank. They are
+  // ignored, because nothing is left to save.
   ignore_interrupts();
   try {
     if (team.end(exit_code)) return exit_code;
@@ -73,7 +73,7 @@ int follow(RankGroup& team, const std::string& command_line, const std::function
 }  // namespace
 
 int report(const std::exception_ptr& failure) {
-  // mpirun ends all ranks as soon as one fails: rank 0 has to come to speak.
+  // mpirun ends all ranks as soon as one fails, but rank 0 must print its message first.
   if (rank_place().rank != 0) return kDone;
   try {
     std::rethrow_exception(failure);

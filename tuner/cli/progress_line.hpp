@@ -1,6 +1,6 @@
 #pragma once
-// One line of progress that is rewritten in place on a terminal. Nothing is printed if stderr is not a
-// terminal.
+// Shows the progress of a long computation on one line of the terminal, which is rewritten in place. Prints
+// nothing if stderr is not a terminal.
 
 #include <string>
 

@@ -1,4 +1,4 @@
-// armtune report: a run folder's page, made again.
+// The command `armtune report`, which writes the report page of a run folder again.
 
 #include <fmt/format.h>
 

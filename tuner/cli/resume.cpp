@@ -21,11 +21,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kResume = "--resume";
-/// Options that results do not depend on, and that a resumed run may be given anew.
+/// Options that do not affect the results. They may change when a run is resumed.
 constexpr const char* kFree[] = {"--workers", "--rollout-deadline"};
-constexpr const char* kLive = "--live";  ///< another one, without a value
+constexpr const char* kLive = "--live";  ///< another such option, without a value
 
-/// An option and its value cut out of the words, in either spelling; nothing if it is not among them.
+/// Removes an option with its value ("--option value" or "--option=value") from the words. Returns the value,
+/// or nothing if the words do not contain the option.
 std::optional<std::string> cut(std::vector<std::string>& words, const std::string& option) {
   for (auto word = words.begin(); word != words.end(); ++word) {
     if (word->starts_with(option + "=")) {

@@ -38,8 +38,8 @@ std::string quoted_command(const std::vector<std::string>& words);
 /// the command does not exist yet. words: result of resumed_arguments.
 std::string repeating_command(std::vector<std::string> words);
 
-/// Returns the data that every session of this program gets: the stop flag, and the command line without
-/// --out, --workers and --rollout-deadline.
+/// Returns the data that every session (the work of one command) gets: the stop flag, and the command line
+/// without --out, --workers and --rollout-deadline.
 SessionContext session_context();
 
 /// Calls `load`, which reads the inputs of a run, and returns its result. If a resumed run cannot read them,

@@ -21,7 +21,8 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// Two tables, each within 80 columns: what the joints may do, and what they move.
+/// Prints two tables, each at most 80 columns wide: the limits of the joints, and their rotor inertia,
+/// friction and links.
 void show_joints(const RobotModel& model) {
   std::size_t width = 5;
   for (const JointInfo& joint : model.joints) width = std::max(width, joint.name.size());
@@ -48,7 +49,7 @@ void show_joints(const RobotModel& model) {
   }
 }
 
-/// What is known of the rotors of an arm whose file does not give them.
+/// Prints which rotor inertias are estimated, and an estimate if the file does not give all of them.
 void show_rotors(const RobotModel& model) {
   if (!model.estimated_rotors.empty())
     say("* an estimate, from the robot file or computed from the effort and velocity limits\n");
@@ -100,7 +101,7 @@ void add_new(const std::vector<std::string>& names, std::vector<std::string>& al
   }
 }
 
-/// What ros2_control can command, where the URDF says so.
+/// Prints the ros2_control interfaces if the URDF gives any, and which joints cannot be commanded by effort.
 void show_interfaces(const RobotModel& model) {
   std::vector<std::string> command, state, without_effort;
   for (const JointInfo& joint : model.joints) {
@@ -121,9 +122,10 @@ void show_interfaces(const RobotModel& model) {
                                                      : fmt::format("{}", fmt::join(without_effort, ", "))));
 }
 
-/// Warns of shapes that no arm of this reach can have: a mesh in millimetres is read as one in metres.
+/// Warns of collision shapes that are far larger than the arm's reach. The usual cause is a mesh in
+/// millimetres, which is read as one in metres.
 void warn_of_huge_shapes(const RobotModel& model, const ArmSolids& arm) {
-  constexpr double kHuge = 10.0;  // of the reach
+  constexpr double kHuge = 10.0;  // as a multiple of the reach
   std::set<std::string> named;
   for (const ArmSolid& solid : arm.solids) {
     const double size = farthest(solid.placed, solid.placed.p_BS);
@@ -135,7 +137,7 @@ void warn_of_huge_shapes(const RobotModel& model, const ArmSolids& arm) {
   }
 }
 
-/// Which links self-collision is looked for between.
+/// Prints between which links self-collision is checked.
 void show_contacts(const RobotModel& model) {
   const ClearanceModel contacts(std::make_shared<const RobotModel>(model), Cell{});
   std::vector<std::string> unknown = contacts.arm().unknown;

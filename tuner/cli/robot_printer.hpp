@@ -1,12 +1,12 @@
 #pragma once
-// Prints what `armtune robot` knows of an arm: joints, limits, masses, rotors, interfaces, and which links
-// are checked for self-collision.
+// Prints the output of `armtune robot`: an arm's joints, limits, masses, rotor inertia and ros2_control
+// interfaces, and which links are checked for self-collision.
 
 #include "core/robot/robot_model.hpp"
 
 namespace armtune::internal::cli {
 
-/// Prints the arm, and warnings of its doubtful values.
+/// Prints the arm, and warnings about doubtful values.
 void show_robot(const RobotModel& model);
 
 /// Prints a table of the bundled arms.

@@ -19,14 +19,14 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::string_view kBegin = "rollout_";
 constexpr std::string_view kEnd = ".csv";
-constexpr std::string_view kBundled = "bundled ";  // as shown_path says it
+constexpr std::string_view kBundled = "bundled ";  // prefix of shown_path for bundled files
 
 bool exists(const std::string& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
 }
 
-/// Names of the scenarios whose rollouts are in the folder, sorted.
+/// Returns the names of the scenarios whose rollouts are in the folder, sorted.
 std::vector<std::string> names_in(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code ignored;
@@ -53,7 +53,7 @@ std::vector<std::string> names_in(const std::string& folder) {
                                                            fmt::join(below, ", "))));
 }
 
-/// The study's scenarios; none if there is no study, or its files were moved.
+/// Returns the scenarios of the run's study, or none if there is no study or its files cannot be loaded.
 std::vector<Scenario> studied(const std::string& run) {
   const auto path = find_run_file(run, "study.yaml");
   if (!path) return {};
@@ -77,7 +77,8 @@ Scenario found_scenario(const std::string& name, const std::string& rollout, con
                    fmt::format("scenario '{}' {}; give its file: --scenarios FILE", name, told));
 }
 
-/// A plan for another scenario than the rollout's would mean nothing.
+/// Throws InputError if a file of the scenario has changed since the run. A plan for the changed scenario
+/// could not be compared with the rollout.
 void refuse_changed(const Scenario& scenario, const std::string& run, const RunInputs& inputs) {
   const std::string changed = changed_input(inputs, scenario.inputs);
   if (changed.empty()) return;

@@ -1,4 +1,4 @@
-// armtune sensitivity: which of a run's gains matter.
+// The command `armtune sensitivity`, which shows which of a run's gains matter.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

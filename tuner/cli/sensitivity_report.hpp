@@ -5,7 +5,7 @@
 
 namespace armtune::internal::cli {
 
-/// Prints the `most` most important gains, most important first, with the effect of each.
+/// Prints at most `most` gains, the most important first, with the effect of each.
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most);
 
 /// Prints advice in plain words: which gains ended at a bound of their range, which gains have no effect, and

@@ -16,18 +16,18 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// The columns of comparison.csv that stand beside those of the sets.
+/// The columns of comparison.csv other than those of the gain sets.
 constexpr std::array<std::string_view, 3> kOtherColumns = {"scenario", "metric", "unit"};
 
 std::string name_of(const std::string& set) {
   std::error_code none;
-  std::filesystem::path path = without_dots(std::filesystem::absolute(set, none).string());  // "." has a name
+  std::filesystem::path path = without_dots(std::filesystem::absolute(set, none).string());  // resolves "."
   if (none) path = set;
   if (path.filename() == "..") {  // after a symbolic link
     path = std::filesystem::canonical(path, none);
     if (none) path = set;
   }
-  if (!path.has_filename()) path = path.parent_path();  // of "folder//"
+  if (!path.has_filename()) path = path.parent_path();  // such as "folder//"
   std::string name = path.has_extension() ? stem(path.string()) : path.filename().string();
   std::replace(name.begin(), name.end(), ',', '_');
   return name;

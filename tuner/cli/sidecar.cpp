@@ -15,7 +15,7 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// For an arm that lacks nothing: what could stand in place of what is doubted.
+/// Writes proposals for the doubtful values of an arm that has no missing values.
 void write_proposals(const RobotFile& file, const std::string& urdf, const std::string& path) {
   const std::vector<Doubt> found = doubts_with_proposals(*load_robot(file.path));
   if (found.empty()) {

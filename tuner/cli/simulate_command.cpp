@@ -1,4 +1,4 @@
-// armtune simulate: scenarios under one set of gains.
+// The command `armtune simulate`, which simulates scenarios with one gain set.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -13,13 +13,13 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// A descriptor, and why the first text was lost that it did not take.
+/// A file descriptor, and the errno of the first failed write to it (0: none has failed).
 struct Sink {
   int descriptor;
   std::atomic<int> reason{0};
 };
 
-// The C library flushes its streams after all destructors, so these have none.
+// The C library flushes its streams after all destructors have run, so these objects have no destructors.
 Sink output{STDOUT_FILENO};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 Sink errors{STDERR_FILENO};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
@@ -34,7 +34,7 @@ ssize_t write_or_drop(void* cookie, const char* text, std::size_t size) {
   return static_cast<ssize_t>(size);
 }
 
-/// A stream into the sink; the one given where memory is short.
+/// Returns a stream that writes into the sink, or `instead` if there is not enough memory.
 std::FILE* stream_into(Sink& sink, std::FILE* instead, int buffering) {
   cookie_io_functions_t functions{};
   functions.write = write_or_drop;
@@ -47,14 +47,14 @@ std::FILE* stream_into(Sink& sink, std::FILE* instead, int buffering) {
 }  // namespace
 
 void open_standard_streams() {
-  // The lowest number that is free is given out first.
+  // open and dup return the lowest free descriptor, so this fills those of closed standard streams.
   int file = open("/dev/null", O_RDWR);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   while (file >= 0 && file <= STDERR_FILENO) file = dup(file);
   if (file > STDERR_FILENO) close(file);
   std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond its limit is an error of writing, which is told
-  // The GNU C library's names of the streams are variables.
-  stdout = stream_into(output, stdout, _IOLBF);  // a log file shows at once what is done
+  std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the file size limit then fails with an error
+  // In the GNU C library stdout and stderr are variables, so they can be replaced.
+  stdout = stream_into(output, stdout, _IOLBF);  // a log file shows each line at once
   stderr = stream_into(errors, stderr, _IONBF);
 }
 

@@ -13,7 +13,7 @@ namespace armtune::internal::cli {
 
 namespace {
 
-/// When an algorithm is the one to take, from what is declared of it.
+/// Returns advice on when to use an algorithm, from its declared properties.
 std::string use_of(const AlgorithmInfo& a) {
   std::string text = a.local ? "Use it to refine gains that are good already"
                              : "Use it to search the whole range of every gain, if the start gains may be "

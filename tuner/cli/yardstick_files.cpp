@@ -17,12 +17,13 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// yardstick.csv, and beside it with the ending .yaml where it came from.
+/// Returns the path of the provenance file of a yardstick CSV file: the same path with the ending .yaml.
 std::string provenance_path(const std::string& csv) {
   return std::filesystem::path(csv).replace_extension(".yaml").string();
 }
 
-/// The page of the run, made again with what is new; never the reason for this to fail.
+/// Writes the report of the run again, with the new comparison. Returns ", PATH", or an empty text if no
+/// report was written. An error is only a warning, because the comparison is written already.
 std::string report_again(const std::string& run) {
   std::error_code ignored;
   if (!std::filesystem::exists(run + "/report.html", ignored) || !report::available()) return {};

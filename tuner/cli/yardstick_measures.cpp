@@ -21,7 +21,8 @@ struct Pending {
   YardstickOptions options;
 };
 
-/// What there is to plan for, scenario by scenario. recordings: gets those that were read.
+/// Returns every event for which a motion is to be planned, scenario by scenario. recordings: receives the
+/// path and the hash of each recording that was read.
 std::vector<Pending> pending_in(const std::string& folder, const std::vector<Scenario>& scenarios,
                                 const GainsOf& gains, YardstickOptions options,
                                 std::vector<std::pair<std::string, std::string>>& recordings) {
@@ -58,7 +59,7 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
   return pending;
 }
 
-/// As the report has it.
+/// Prints a result in the words of the report.
 void tell(const Measure& measure) {
   const auto rows = report::yardstick_of({CsvTable::parse(yardstick_csv({measure}), "yardstick.csv")});
   say(fmt::format("  {} at {:.4g} s: {}\n", rows.front().event, rows.front().time, rows.front().words));

@@ -23,10 +23,11 @@ struct RolloutMeasures {
 };
 
 /// Compares every event of rollout_<scenario>.csv in the folder with the best motion that the arm's limits
-/// allow, and prints each result on stdout as soon as it is found. The gaze threshold and the clearance come
-/// from the gains. If interrupted, it returns the results found so far. Scenarios that the planner cannot
-/// model are left out, with a message: those with a stimulus, with a given orientation of the tool, or with
-/// the position as their only task. Throws InputError if a rollout cannot be read.
+/// allow, and prints each result on stdout as soon as it is found. The threshold of the gaze error and the
+/// clearance from obstacles come from the gains. If interrupted, it returns the results found so far.
+/// Scenarios that the planner cannot model are left out, with a message. These have a stimulus (a step or
+/// sines), a given orientation of the tool, or the position as their only task. Throws InputError if a
+/// rollout cannot be read.
 RolloutMeasures measure_rollouts(const std::string& folder, const std::vector<Scenario>& scenarios,
                                  const GainsOf& gains, YardstickOptions options);
 

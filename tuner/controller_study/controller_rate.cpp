@@ -23,13 +23,14 @@ double number(const PlacedValue& value) {
   return error == std::errc() && stop == end ? found : -1.0;
 }
 
-/// `update_rate` of a node, whose parameters ROS 2 puts below a key of their own; null: it has none.
+/// Returns the `update_rate` of a node, or null if it has none. In ROS 2, it is below `ros__parameters`.
 const PlacedValue* rate_of(const PlacedValue& node) {
   const PlacedValue* parameters = node.find("ros__parameters");
   return (parameters == nullptr ? node : *parameters).find("update_rate");
 }
 
-/// That of a node called controller_manager, in whatever name space; then that of every node, `/**`.
+/// Returns the rate of a node called controller_manager in any namespace. If there is none, returns the rate
+/// of all nodes (`/**`), or null.
 const PlacedValue* rate_of_manager(const PlacedValue& map) {
   const PlacedValue* of_every_node = nullptr;
   for (const yaml::PlacedEntry& entry : map.entries) {

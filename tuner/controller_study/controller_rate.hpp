@@ -8,8 +8,8 @@
 namespace armtune::internal {
 
 /// Returns the `update_rate` [Hz] of the controller itself. If that is missing or 0, returns the rate of the
-/// controller manager; returns nothing if the file has neither. file: name of the file, for messages. Throws
-/// InputError with the line if the rate is not within 10 .. 10,000 Hz.
+/// controller manager, or nothing if the file does not give that either. file: name of the file, for
+/// messages. Throws InputError naming the line if the rate is not within 10 .. 10,000 Hz.
 std::optional<double> controller_rate(const RosController& controller, const std::string& file);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// The motions of a controller study: read from the user's files, or planned through joint goals if a file has
-// no times.
+// Collects the motions of a controller study (controller_study.hpp). A motion is read from the user's file,
+// or planned through joint goals if the file has no times.
 
 #include <optional>
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace armtune::internal {
 
-/// A motion, and what its scenario is called.
+/// A motion, and the names of its scenario and files.
 struct StudyMotion {
-  std::string file;       ///< the user's
-  std::string name;       ///< of the scenario: as the file, with a number if that name is taken
+  std::string file;       ///< path of the user's file
+  std::string name;       ///< name of the scenario: that of the file, with a number if it is taken
   JointSpline motion;     ///< in radians, metres and seconds
-  std::string reference;  ///< how the scenario names the file with the motion
-  std::string message;    ///< ROS message if the motion was planned through the file's joint goals, or empty
+  std::string reference;  ///< path by which the scenario refers to the file with the motion
+  std::string message;    ///< ROS message, if the motion was planned through joint goals; otherwise empty
 };
 
-/// Reads a motion from each file of inputs.trajectories, or plans it. arm: without file and positions. Throws
-/// InputError. Returns nothing if planning was stopped.
+/// Reads a motion from each file of inputs.trajectories, or plans it. arm: the arm; its members `file` and
+/// `positions` are not used. Throws InputError. Returns nothing if planning was stopped.
 std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInputs& inputs, JointGoals arm);
 
-/// Adds notes on what is assumed of a motion, one sentence each.
+/// Adds notes for the user on how the file of a motion was understood, such as a motion without velocities.
 void add_notes(const StudyMotion& move, std::vector<std::string>& notes);
 
 }  // namespace armtune::internal

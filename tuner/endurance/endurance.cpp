@@ -12,10 +12,11 @@
 namespace armtune::internal {
 namespace {
 
-/// Shorter runs are not asked whether their errors grow: their windows hold too few laps to be alike [s].
+/// Shortest run for which the growth of the errors is computed [s]. The windows of shorter runs contain too
+/// few laps to be comparable.
 constexpr double kShortestCompared = 300.0;
 
-/// One rollout in one engine, until a limit breaks. None if `stop` cut it short.
+/// Simulates one rollout in one engine until a limit is broken. Returns nothing if `stop` interrupted it.
 std::optional<EnduranceResult> endure_in(Engine engine, const Scenario& scenario, const Gains& gains,
                                          const EnduranceOptions& options, const std::atomic<bool>& stop) {
   EnduranceResult result;
@@ -23,7 +24,7 @@ std::optional<EnduranceResult> endure_in(Engine engine, const Scenario& scenario
   result.engine = engine;
   LimitWatch limits(*scenario.robot, options.limit_share);
   ErrorWindows errors(scenario.start_time, scenario.duration, scenario.control_period);
-  LeastClearance touched;  // what the arm touches first
+  LeastClearance touched;  // the first contact of the arm
   const RolloutResult rollout =
       Rollout(scenario, options.stepper, engine).run(gains, [&](const Observation& o) {
         limits.look(o);

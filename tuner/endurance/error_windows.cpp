@@ -6,9 +6,9 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kFirstMinute = 60.0;     // s: adaptation from a wrong start settles in it
+constexpr double kFirstMinute = 60.0;     // s; adaptation from wrong start parameters settles in this time
 constexpr double kLongestWindow = 600.0;  // s
-/// Tracking counts from this long after followTrajectory was entered or the target changed [s].
+/// Errors count only from this long after followTrajectory was entered or the target changed [s].
 constexpr double kSettlingTime = 1.0;
 
 double growth(double last, double first) {

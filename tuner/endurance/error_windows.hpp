@@ -14,9 +14,9 @@ struct TimeWindow {
   double to = 0.0;
 };
 
-/// Returns two windows of equal length in a rollout of `duration` seconds: one after the first minute, one at
-/// its end. Each is ten minutes long, or half of the time after the first minute if that is shorter. If the
-/// rollout is shorter than five minutes, the first window begins after the first fifth of it instead.
+/// Returns two windows of equal length in a rollout of `duration` seconds: one after the first minute, and
+/// one at its end. Each is ten minutes long, or half of the time after the first minute if that is shorter.
+/// If the rollout is shorter than five minutes, its first fifth is skipped instead of its first minute.
 std::array<TimeWindow, 2> compared_windows(double duration);
 
 class ErrorWindows {
@@ -35,7 +35,7 @@ class ErrorWindows {
     Spread position;     ///< [m]
     Spread orientation;  ///< [rad]
   };
-  /// Returns the errors of the first window (0) or the last (1).
+  /// Returns the errors of the first window (0) or of the last window (1).
   const Errors& errors(std::size_t window) const { return errors_[window]; }
 
   /// Returns the growth of the position error or of the orientation error, whichever is larger. Growth is the

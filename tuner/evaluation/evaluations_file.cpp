@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-/// What a scenario's metric is written for, once even where several terms have it.
+/// A scenario (index) and a metric, which have one column even if they occur in several terms.
 using Figure = std::pair<std::size_t, Metric>;
 
 bool of_margin(const ObjectiveTerm&) {
@@ -93,7 +93,7 @@ void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
     row += "," + cell(c < e.constraints.size() ? e.constraints[c] : NAN);
   }
   for (const ExtraColumn& extra : extra_) row += "," + cell(extra.value(e));
-  // The journal is what has to survive a power cut; this file can be made again from it.
+  // Only the journal has to survive a power cut, because this file can be written again from it.
   file_.append(row + fmt::format(",{:.3f}\n", e.seconds), false);
   if (!e.recalled) file_.publish();
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Writes evaluations.csv: one row for every evaluation, written as soon as the evaluation is finished.
+// Writes evaluations.csv, the table of a search's evaluations. An evaluation is one gain set, simulated in
+// every scenario of the study. Its row is written as soon as the evaluation is finished.
 
 #include <functional>
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace armtune::internal {
 
-/// A column besides the study's own.
+/// A column in addition to those that follow from the study.
 struct ExtraColumn {
   Column column;
   std::function<double(const Evaluation&)> value;
@@ -29,9 +30,9 @@ class EvaluationsFile {
 
   /// Appends one row and passes it to the operating system. Numbers read back bit-identical, except the wall
   /// time, which is rounded to milliseconds. A missing value is an empty cell. The wall time is the last
-  /// column, the only one that differs between two runs of one study. With AppendFile::Open::kReplace, the
-  /// older file is replaced at the first row that does not come from the journal. Throws FailedError if the
-  /// disk refuses the row.
+  /// column, and the only one that differs between two runs of one study. With AppendFile::Open::kReplace,
+  /// the older file is replaced at the first row that does not come from the journal. Throws FailedError if
+  /// the disk refuses the row.
   void append(const std::string& phase, const Evaluation& e);
   /// Must be called at the end. It replaces an older file even if every row came from the journal, and makes
   /// the file survive a power cut.

@@ -40,7 +40,7 @@ std::vector<EvaluationRow> read_evaluations(const CsvTable& table, const Study& 
 
   std::vector<EvaluationRow> rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (table.text(row, objective).empty()) continue;  // an earlier version gave it up
+    if (table.text(row, objective).empty()) continue;  // an abandoned evaluation of an earlier version
     Gains gains = study.space.start;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       value(gains, study.space.free[i].entry) = finite(table, row, parameters[i]);

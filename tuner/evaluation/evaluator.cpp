@@ -63,9 +63,10 @@ bool Evaluator::next(const std::vector<Candidate>& candidates, const Conditions&
 
 std::size_t Evaluator::portion() const {
   constexpr std::size_t kLeast = 8;
-  constexpr std::size_t kOfEach = 2;  // few enough to end soon, enough to keep all workers busy
+  constexpr std::size_t kOfEach = 2;  // per worker: few enough to end soon, enough to keep all busy
   const std::size_t most = std::max(kLeast, kOfEach * static_cast<std::size_t>(workers_.count()));
-  // Where a run with other workers was told that time is up, this one has to ask.
+  // A resumed run may have another number of workers. It must check the time at the evaluation at which the
+  // journal says that time was up.
   const auto recorded = journal_ != nullptr ? journal_->time_was_up(minutes_) : std::nullopt;
   return recorded && *recorded > count_ ? std::min<std::size_t>(most, *recorded - count_) : most;
 }
@@ -92,7 +93,7 @@ bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const Con
     const std::size_t i = missing[k];
     const double now = seconds();
     if (journal_ != nullptr) journal_->append({count_ + i, candidates[i].phase, now, e.x, e.results});
-    ready[i] = e;  // not before it is on disk
+    ready[i] = e;  // only after it was written to the disk
     ready[i]->seconds = now;
     take_ready();
   };
@@ -116,7 +117,7 @@ bool Evaluator::time_left() {
 bool Evaluator::is_time_up() {
   if (journal_ != nullptr) {
     if (const auto recorded = journal_->time_was_up(minutes_)) return count_ >= *recorded;
-    // What is recorded was begun in time.
+    // Evaluations in the journal were started in time.
     if (journal_->records() > count_) return false;
   }
   if (seconds() + kept_ < 60.0 * study_.max_minutes) return false;

@@ -1,6 +1,7 @@
 #pragma once
-// Makes the evaluations that a search requests. A resumed run reads from its journal the evaluations that it
-// finished before the interruption. It simulates all further ones, and writes them to the journal.
+// Makes the evaluations that a search requests. A resumed run does not repeat the evaluations that it
+// finished before the interruption, but reads them from its journal. It simulates all further evaluations,
+// and writes them to the journal.
 
 #include <atomic>
 #include <chrono>
@@ -28,17 +29,17 @@ class Evaluator {
   using TakeIn = std::function<void(const char* phase, Evaluation e)>;
 
   /// Makes the next evaluations of the run. Their objective and constraints are not computed yet. Each
-  /// evaluation is written to the journal as soon as it is finished, even if an earlier one is not. `take_in`
-  /// receives the evaluations in the order of the candidates, one call at a time, from any thread. An
-  /// evaluation is passed to it as soon as this one and all earlier ones are finished. Returns false if
-  /// `stop` became true before all were done; `take_in` has then received the evaluations before the first
-  /// unfinished one. If the time budget is used up, candidates that are not started are left out, and the
-  /// result is true. Throws InputError if the journal's evaluation with the same number is not the one that
-  /// the search requests.
+  /// evaluation is written to the journal as soon as it is finished, even if an earlier one is not.
+  /// `take_in` receives the evaluations in the order of the candidates, one call at a time, from any thread.
+  /// Each is passed on as soon as it and all earlier evaluations are finished. Returns false if `stop`
+  /// became true before all were done; `take_in` has then received the evaluations before the first
+  /// unfinished one. If the time budget is used up, candidates that have not been started are left out, and
+  /// the result is true. Throws InputError if the journal's evaluation with the same number is not the one
+  /// that the search requests.
   bool next(const std::vector<Candidate>& candidates, const Conditions& conditions, const TakeIn& take_in);
 
-  /// True if the run was stopped from outside and the journal holds no further evaluation. A resumed run
-  /// therefore stops only after it has recalled everything that is in the journal.
+  /// True if the run was stopped from outside and the journal has no further evaluation. A resumed run
+  /// therefore stops only after it has read every evaluation in the journal.
   bool stopped() const { return stop_ && !recalls(count_); }
 
   /// Sets the time budget that applies from now on. It ends `kept` [s] before the study's max_minutes are

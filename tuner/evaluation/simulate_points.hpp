@@ -17,7 +17,7 @@ namespace armtune::internal {
 RolloutPlan plan_of(const Study& study, double deadline);
 
 /// Returns one evaluation per point, in order, with x, gains and results. Objective and constraints are not
-/// computed yet; Objective::judge computes them. No value if `stop` became true before all were done.
+/// computed yet; Objective::judge computes them. Returns nothing if `stop` became true before all were done.
 /// conditions: engine, and limits at which rollouts end early (Objective::end_limits). The start gains are
 /// simulated without such limits.
 /// finished: called once per point, as soon as all its scenarios are simulated. Calls come in any order, one

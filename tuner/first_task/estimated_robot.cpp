@@ -15,7 +15,7 @@
 namespace armtune::internal {
 namespace {
 
-/// The file's lines, but for the one that names the URDF.
+/// Returns the lines of the file, except the one that names the URDF.
 std::string other_lines(const RobotFile& file) {
   const yaml::Node* urdf = file.root->find("urdf");
   std::istringstream lines(read_input_file(file.path, yaml::kMaxBytes, "a robot file"));
@@ -26,7 +26,7 @@ std::string other_lines(const RobotFile& file) {
   return kept;
 }
 
-/// Whether a text has the keys of `file` and nothing else but the estimate.
+/// Returns true if the text has the keys of `file` and exactly one more, that of the estimate.
 bool says_the_same(const std::string& text, const RobotFile& file) {
   try {
     const yaml::Node root = yaml::parse_text(text, file.path);
@@ -38,7 +38,7 @@ bool says_the_same(const std::string& text, const RobotFile& file) {
   }
 }
 
-/// Whether its cell names files, whose paths are from its folder.
+/// Returns true if the robot file's cell names waypoint files, whose paths are relative to the file's folder.
 bool names_waypoints(const RobotFile& file) {
   const yaml::Node* cell = file.root->find("cell");
   const yaml::Node* parts = cell == nullptr ? nullptr : cell->find("parts");

@@ -9,22 +9,22 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kUnknown = 0.2;    // of the weight, as of arms at random
-constexpr double kGivesWay = 0.02;  // of a joint's range, under that weight
+constexpr double kUnknown = 0.2;    // share of the weight that the model lacks, as for random arms
+constexpr double kGivesWay = 0.02;  // share of a joint's range by which it may give way under that weight
 constexpr double kFirmest = 6.0;
 
-/// Factors on starting gains.
+/// Factors by which the starting gains are multiplied.
 struct Factors {
-  double firmer;        ///< on Kd, and below 1 on Kp too
-  double learning;      ///< on the adaptation
-  double slower;        ///< on both duration gains
-  double softer = 1.0;  ///< on the task's Kp alone
-  bool held = false;    ///< whether the firmness that holds the arm's weight comes on top
+  double firmer;        ///< factor of Kd; below 1, it applies to Kp too
+  double learning;      ///< factor of the adaptation gain
+  double slower;        ///< factor of both duration gains
+  double softer = 1.0;  ///< further factor of the task-space Kp
+  bool held = false;    ///< true: Kd is also multiplied by holding_firmness
 };
 
-/// Every set of factors that is tried, those first that are to be preferred. Durations are proportional to
-/// errors, so that a small error is made good in a short time and with much acceleration: heavy arms need
-/// longer ones.
+/// Returns all sets of factors that are tried, preferred sets first. Motion durations are proportional to
+/// errors. A small error is therefore corrected in a short time and with high acceleration, so heavy arms
+/// need larger duration gains.
 std::vector<Factors> ladder() {
   std::vector<Factors> all;
   for (const double firmer : {1.0, 2.0, 0.7, 0.5, 0.35}) {
@@ -35,7 +35,7 @@ std::vector<Factors> ladder() {
       for (const double learning : {1.0, 4.0, 0.1}) all.push_back({firmer, learning, slower});
     }
   }
-  // A heavy arm that was let down has an error when the task begins, which Kp turns into a jump of the
+  // A heavy arm that has sagged has an error when the task begins. Kp turns this error into a jump of the
   // torque.
   for (const double slower : {4.0, 12.0}) {
     for (const double firmer : {1.0, 1.4}) {
@@ -47,8 +47,9 @@ std::vector<Factors> ladder() {
   return all;
 }
 
-/// Under firmer gains the arm gives way less to weight that the model lacks. Softer ones need less of the
-/// loop: S dies with M^-1 Kd, then the error with Kp, so that both change.
+/// Returns the gains multiplied by the factors. With higher gains, the arm gives way less under weight that
+/// the model lacks. Lower gains demand less of the loop: S decays at the rate M^-1 Kd, and then the error at
+/// the rate Kp, so both are lowered.
 Gains changed(Gains gains, const Factors& factors, const JointVector& firmness) {
   if (factors.held) {
     gains.joint_space_gains_d.array() *= firmness.array();

@@ -10,14 +10,14 @@
 namespace armtune::internal {
 
 /// Returns factors (n, 1 to 6) on the Kd of `start`, for a controller whose model lacks a fifth of the arm's
-/// weight. At rest, a position error e remains with which Kd Kp e balances the missing weight. The factors
-/// are so large that e at `goal` (n) is at most a fiftieth of the joint's range, or they are 6 where this
-/// takes more. The factor is 1 for joints without position limits.
+/// weight. At rest, a position error e remains, whose torque Kd Kp e balances that weight. Each factor is
+/// the smallest with which e at `goal` (n) is at most a fiftieth of the joint's range, but at most 6. It is 1
+/// for joints without position limits.
 JointVector holding_firmness(const RobotModel& robot, const JointVector& goal, const Gains& start);
 
 /// Returns `start` multiplied by each set of factors that is tried, preferred sets first. The factors change
-/// Kp and Kd, the adaptation gain, and both gains that set durations (of a return to the path, of a turn to a
-/// target). The first result is `start` itself. goal (n): joint positions where the task begins.
+/// Kp and Kd, the adaptation gain, and the two gains that set the durations of a return to the path and of a
+/// turn to a target. The first result is `start` itself. goal (n): joint positions where the task begins.
 std::vector<Gains> first_gain_sets(const RobotModel& robot, const JointVector& goal, const Gains& start);
 
 }  // namespace armtune::internal

@@ -40,7 +40,8 @@ search:
   seed: 1
 )";
 
-/// Constraints for accelerations, if the robot file limits them, and for what the arm can touch.
+/// Returns constraints on accelerations, if the robot file limits them, and on all contacts that are
+/// possible.
 std::string more_constraints(const Scenario& scenario) {
   std::string text;
   if (applies(Metric::kJointAccelerationMaxRatio, scenario))

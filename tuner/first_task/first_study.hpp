@@ -12,14 +12,16 @@ namespace armtune::internal {
 /// Returns the text of study.yaml, which refers to gains.yaml and task.yaml beside it. scenario: the task.
 std::string first_study_yaml(const Scenario& scenario);
 
-/// A test of gains against the constraints of that study: on the arm, on random arms, and in the rollouts
-/// that check its stability margins.
+/// Tests whether gains satisfy the constraints of that study: with the arm itself, with random arms, and in
+/// the rollouts that check stability margins.
 class FirstDemands {
  public:
-  /// start: gains for the arm, for the same controller as the gains to be tested. workers: threads (>= 1).
+  /// start: gains for this arm and for the same controller as the gains to be tested. workers: number of
+  /// threads (>= 1).
   FirstDemands(const Scenario& scenario, const Gains& start, int workers);
 
-  /// Returns which constraint `gains` break in armtune's own dynamics, as a clause; empty if none.
+  /// Simulates in armtune's own dynamics, and returns a clause that names a constraint that `gains` break.
+  /// Returns an empty text if they break none.
   std::string broken(const Gains& gains);
 
  private:

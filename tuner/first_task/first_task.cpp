@@ -20,10 +20,11 @@
 namespace armtune::internal {
 namespace {
 
-/// Share of an effort limit: an arm that takes as much to hold it still has little left to move.
+/// Share of an effort limit. If gravity alone takes this share, little torque is left for motion.
 constexpr double kHeavy = 0.6;
 
-/// A pace, and at how many places it is tried: a slow task takes longer to try.
+/// A factor on the task's duration, and the number of places at which tasks with this factor are tried. Slow
+/// tasks take longer to try, so there are fewer places.
 struct Pace {
   double slowness;
   std::size_t places;
@@ -32,17 +33,17 @@ constexpr std::array kPaces = {Pace{1.0, 6}, Pace{2.0, 2}};
 
 using Progress = std::function<void(const std::string&)>;
 
-/// Tasks of an arm, where it moves well first, and each at several paces.
+/// Tries tasks of an arm at several paces. At each pace, it begins with the places where the arm moves well.
 class Search {
  public:
-  /// progress: outlives the search.
+  /// progress: must outlive the search.
   Search(std::shared_ptr<const RobotModel> arm, TaskOptions options, int workers, const Progress& progress)
       : arm_(std::move(arm)), options_(std::move(options)), workers_(workers), progress_(progress) {}
 
   std::optional<FirstTask> find() {
     for (const Pace& pace : kPaces) {
       std::vector<DefaultTask> tasks = tasks_at(pace);
-      if (tasks.empty()) break;  // nor for a slower one
+      if (tasks.empty()) break;  // then a slower task has no place either
       has_place_ = true;
       for (std::size_t place = 0; place < tasks.size(); ++place) {
         if (progress_) {
@@ -67,10 +68,10 @@ class Search {
     return std::nullopt;
   }
 
-  /// Whether there is a task for the arm at all.
+  /// Returns true if there is any place for a task, even if no gains were found for it.
   bool has_place() const { return has_place_; }
 
-  /// How the last rollout failed, and what the arm's weight has to do with it.
+  /// Returns how the last rollout failed. For a heavy arm, it adds the load of the arm's weight.
   std::string failed() const {
     if (lightest_ < kHeavy) return failed_;
     return fmt::format(
@@ -97,11 +98,13 @@ class Search {
   bool has_place_ = false;
   std::string failed_;
   double lightest_ = std::numeric_limits<double>::infinity();  ///< least load of a task
-  int loaded_ = 0;                                             ///< the joint whose load that is
+  int loaded_ = 0;                                             ///< the joint with this load
 };
 
-/// What a task may go without, from the one that asks the most of the arm on: the gaze, and then a floor that
-/// nobody gave. Where a quick look for places is not enough, more are looked at.
+/// Returns the options to try, from the most demanding task to the easiest. The task first has the usual
+/// floor, and then none if that floor was only assumed. In both cases it first includes the gaze, and then
+/// only the position. Each of these tasks is tried with a quick search for places, and then with a thorough
+/// one.
 std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions& given) {
   std::vector<TaskOptions> all;
   for (const bool without_floor : {false, true}) {
@@ -120,10 +123,10 @@ std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions&
   return all;
 }
 
-/// Throws InputError that says why there is no task.
+/// Returns the first task that was found. Throws InputError with the reason if there is none.
 FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOptions& options, int workers,
                     const Progress& progress) {
-  std::string last;  // what stood in the way
+  std::string last;  // the reason of the last failure
   for (const TaskOptions& easier : ever_easier(*arm, options)) {
     Search search(arm, easier, workers, progress);
     if (auto found = search.find()) return *found;
@@ -133,7 +136,7 @@ FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOpti
         "attempt failed: {}. Check limits and masses, or write a scenario and start gains yourself",
         arm->source, arm->name, search.failed());
   }
-  if (last.empty()) default_task(arm, options);  // which says why there is no place
+  if (last.empty()) default_task(arm, options);  // throws an error that says why there is no place
   throw InputError(last);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Finds a first task, such as a circle to follow, for an arm that has no task yet. Also finds gains with
+// Finds a first task, such as a circle to follow, for an arm that has no task yet. It also finds gains with
 // which the simulated arm completes this task. `armtune robot --task` writes task and gains to files, as a
 // start for tuning.
 
@@ -17,9 +17,9 @@ struct FirstTask {
   DefaultTask task;
   Gains gains;
   Metrics metrics;  ///< metrics of this task with these gains, simulated in Simbody
-  std::string
-      robot_yaml;  ///< text of a robot file with estimated rotor inertia; empty: the given file has its own
-  std::string robot_file;  ///< the robot's file or name as task.yaml gives it
+  /// Text of a robot file with estimated rotor inertia; empty if the given file has its own rotor inertia.
+  std::string robot_yaml;
+  std::string robot_file;  ///< the robot's file or name, as task.yaml gives it
 };
 
 /// Finds a task, and gains that pass all of these tests:
@@ -31,15 +31,18 @@ struct FirstTask {
 ///   arm passes the endurance check, a simulation for a long time.
 /// The search begins with starting_gains. It varies Kp, Kd, the adaptation gain, and the gains that set the
 /// durations of returns to the path and of turns to a target.
-/// If no such gains pass, it tries, in this order: other places and slower tasks, places among ten times as
-/// many positions, a task of position alone, and, if no floor was given, all of these without a floor.
-/// robot: a bundled name or a file. workers: threads (>= 1). progress: called with a description of the task
-/// tried next. Throws InputError with the reason if it finds none.
+/// If no such gains pass, it tries these alternatives in this order:
+/// - other places for the task, and slower tasks;
+/// - places from ten times as many joint positions;
+/// - a task that prescribes only the tool's position;
+/// - if no floor was given, all of these without a floor.
+/// robot: a bundled name or a file. workers: number of threads (>= 1). progress: called with a description of
+/// the task that is tried next. Throws InputError with the reason if it finds no task.
 FirstTask find_first_task(const std::string& robot, const TaskOptions& options, int workers = 1,
                           const std::function<void(const std::string&)>& progress = {});
 
 /// Writes task.yaml, gains.yaml, study.yaml and, with estimated rotors, robot.yaml into a new folder. Throws
-/// InputError if the folder holds anything.
+/// InputError if the folder is not empty.
 void write_first_task(const FirstTask& found, const std::string& folder);
 
 }  // namespace armtune::internal

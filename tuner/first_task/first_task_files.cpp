@@ -1,4 +1,4 @@
-// The files of a first task.
+// Writes the files of a first task.
 
 #include <fmt/format.h>
 

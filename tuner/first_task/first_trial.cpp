@@ -39,7 +39,8 @@ std::optional<TriedGains> FirstTrial::find() {
   return std::nullopt;
 }
 
-/// armtune's own dynamics are quick, Simbody decides.
+/// Simulates the constraints first, in armtune's own dynamics, because these are quick. The task itself must
+/// be completed in Simbody.
 std::optional<Metrics> FirstTrial::completed_with(const Gains& gains) {
   if (const std::string broken = demands_.broken(gains); !broken.empty()) {
     failed_ = broken;
@@ -60,20 +61,20 @@ std::optional<Metrics> FirstTrial::completed_with(const Gains& gains) {
   return std::nullopt;
 }
 
-/// As long as the verdict of a search asks for: what drifts slowly does not show in one task. The share of
-/// the limits is smaller than in the verdict, to leave room for gains that are tuned from these.
+/// Simulates as long as the verdict on a search does, because slow drifts do not show in one task. The share
+/// of the limits is smaller than in the verdict, to leave room for the gains that are tuned from these.
 bool FirstTrial::endures(const Gains& gains) {
   const std::atomic<bool> stop = false;
   const auto gains_of = [&gains](const Scenario&) { return gains; };
   EnduranceOptions how;
   how.limit_share = kFirstTaskRatio;
-  how.confirmed = false;  // other gains are tried, whatever Simbody would say
+  how.confirmed = false;  // if these gains fail, others are tried; Simbody need not decide
   const EnduranceResult result = endure({scenario_}, gains_of, how, stop).front();
   if (!result.held()) {
     failed_ = result.broken ? to_string(*result.broken) : result.ended;
     return false;
   }
-  // NaN where there was nothing to compare.
+  // The growth is NaN if there was nothing to compare.
   const VerdictThresholds most;
   if (!(result.rms_growth > most.rms_growth) && !(result.peak_growth > most.peak_growth)) return true;
   failed_ = fmt::format("errors grow within {} simulated minutes", most.minutes);

@@ -1,5 +1,5 @@
 #pragma once
-// Tries several sets of gains on one task until, with one of them, the arm completes the task.
+// Tries several sets of gains on one task until the arm completes the task with one of them.
 
 #include <optional>
 #include <string>
@@ -20,7 +20,7 @@ struct TriedGains {
 
 class FirstTrial {
  public:
-  /// workers: threads (>= 1).
+  /// workers: number of threads (>= 1).
   FirstTrial(const DefaultTask& task, int workers);
 
   /// Returns the first of the gain sets (first_gain_sets.hpp) that passes all tests of find_first_task, or
@@ -41,7 +41,7 @@ class FirstTrial {
   CandidateRunner native_;
   FirstDemands demands_;
   std::optional<Rollout> simbody_;
-  std::vector<Scenario> other_rotors_;  ///< with a third of the estimate and three times it
+  std::vector<Scenario> other_rotors_;  ///< with a third of the rotor estimate, and three times it
   std::string failed_;
 };
 

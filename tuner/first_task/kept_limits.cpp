@@ -19,7 +19,7 @@ bool keeps_limits(const RolloutResult& result, double share) {
 
 EndLimits ends_of_kept_limits(const Scenario& scenario, double share) {
   const double beyond = std::nextafter(share, std::numeric_limits<double>::infinity());
-  const double below = -std::numeric_limits<double>::min();  // rollouts take anything smaller for zero
+  const double below = -std::numeric_limits<double>::min();  // rollouts treat smaller numbers as zero
   EndLimits limits = {{Metric::kJointVelocityMaxRatio, beyond},
                       {Metric::kJointEffortMaxRatio, beyond},
                       {Metric::kJointPositionMinMargin, below}};

@@ -10,7 +10,7 @@
 namespace armtune::internal {
 namespace {
 
-constexpr std::uint64_t kSeed = 4004;  // other arms than those of the study and of its verdict
+constexpr std::uint64_t kSeed = 4004;  // gives other arms than those of the study and of its verdict
 
 }  // namespace
 

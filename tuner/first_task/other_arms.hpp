@@ -7,15 +7,16 @@
 
 namespace armtune::internal {
 
-inline constexpr int kOtherArms = 60;
+inline constexpr int kOtherArms = 60;  ///< number of random arms in the test
 
-/// Returns how many of the kOtherArms random arms may break a limit. The share is half of what the
-/// final checks of a tuning allow, because a search then brings the arm closer to its limits.
+/// Returns how many of the kOtherArms random arms may break a limit. The share is half of what the final
+/// checks of a tuning allow, because the search that follows brings the arm closer to its limits.
 int most_lost_arms();
 
-/// True if all but most_lost_arms() of kOtherArms random arms keep their limits in the scenario. Torque may
+/// True if at most most_lost_arms() of kOtherArms random arms break a limit in the scenario. Torque may
 /// saturate in 1 % of the control periods, as in the final checks. The arms differ from those that the study
-/// or its final checks simulate. They are simulated in armtune's own dynamics. workers: threads (>= 1).
+/// or its final checks simulate. They are simulated in armtune's own dynamics. workers: number of threads
+/// (>= 1).
 bool nearly_all_hold(const Scenario& scenario, const Gains& gains, int workers);
 
 }  // namespace armtune::internal

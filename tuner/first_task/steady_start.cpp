@@ -23,7 +23,7 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kCentering = 0.2;  // 1/s, of starting gains
+constexpr double kCentering = 0.2;  // 1/s, as in starting gains
 
 /// Returns the scenarios' results for every gain set, in armtune's own dynamics.
 std::vector<std::vector<RolloutResult>> simulated(const Study& study, const std::vector<Gains>& sets,
@@ -35,7 +35,7 @@ std::vector<std::vector<RolloutResult>> simulated(const Study& study, const std:
   return *runner.run(sets, stop, {}, conditions);
 }
 
-/// How the first of the scenarios that is not completed ends; empty: all are.
+/// Returns how the first scenario that is not completed ends; empty if all are completed.
 std::string failure(const Study& study, const std::vector<RolloutResult>& results) {
   for (std::size_t s = 0; s < results.size(); ++s) {
     if (results[s].status != RolloutStatus::kCompleted)
@@ -44,10 +44,10 @@ std::string failure(const Study& study, const std::vector<RolloutResult>& result
   return {};
 }
 
-/// Why a study's start gains make no good reference.
+/// The reason why a study's start gains are not a good reference.
 struct Unsteadiness {
-  std::string why;        ///< a scenario that is not completed, or a joint that shakes; empty: they do
-  bool completes = true;  ///< every scenario
+  std::string why;        ///< a scenario that is not completed, or a joint that shakes; empty: neither
+  bool completes = true;  ///< true if every scenario is completed
 };
 
 Unsteadiness unsteadiness(const Study& study, int workers) {
@@ -76,7 +76,8 @@ bool is_free(const GainEntry& entry, const ParameterSpace& space) {
                      [&entry](const Parameter& p) { return p.entry.name == entry.name; });
 }
 
-/// What a file says of a controller's own gains that are not tuned stays: those that never are, and zeros.
+/// Keeps the given values of some of the controller's own gains: of those that are never tuned, and of those
+/// that are zero and not a parameter of the study.
 void keep_untuned(const Gains& given, const Study& study, Gains& gains) {
   const std::vector<std::string> joints = joint_names(*study.scenarios.front().robot);
   for (const GainEntry& entry : gain_entries(given, joints)) {
@@ -87,7 +88,7 @@ void keep_untuned(const Gains& given, const Study& study, Gains& gains) {
   }
 }
 
-/// Gains for the first scenario, with the goal pose that `given` has, and of its kind.
+/// Returns gain sets for the first scenario, with the goal pose and for the controller of `given`.
 std::vector<Gains> first_sets(const Study& study, const Gains& given) {
   const Scenario& scenario = study.scenarios.front();
   const RobotModel& robot = *scenario.robot;
@@ -104,8 +105,8 @@ std::vector<Gains> first_sets(const Study& study, const Gains& given) {
   return sets;
 }
 
-/// The first gain set with which every scenario is completed, inside the arm's limits if there is one; none
-/// if there is no such set.
+/// Returns the first gain set that completes every scenario within the arm's limits. If there is none,
+/// returns the first that completes every scenario; nothing if there is none of these either.
 std::optional<Gains> completing(const Study& study, const std::vector<Gains>& sets, int workers) {
   const auto results = simulated(study, sets, workers);
   std::optional<Gains> completes;
@@ -117,15 +118,15 @@ std::optional<Gains> completing(const Study& study, const std::vector<Gains>& se
   return completes;
 }
 
-/// First gains for a study's scenarios, of the kind that its file gives; none where the task itself is
-/// impossible.
+/// Returns first gains for a study's scenarios and for the controller of its gains file. Returns nothing if
+/// no gain set completes every scenario, or if the task itself is impossible.
 std::optional<Gains> first_gains(const Study& study, int workers) {
   const Scenario& first = study.scenarios.front();
   const Gains in_file = load_gains(study.gains, joint_names(*first.robot), {}, study.node);
   try {
     return completing(study, first_sets(study, in_file), workers);
   } catch (const InputError&) {
-    return std::nullopt;  // what is wrong with the task is said where the start gains are simulated
+    return std::nullopt;  // the simulation of the start gains reports what is wrong with the task
   }
 }
 
@@ -142,13 +143,13 @@ Study load_steady_study(const std::string& name_or_path, const std::string& cont
   parts.joints = joint_names(*study.scenarios.front().robot);
   try {
     Study steady = load_study(name_or_path, controller, parts);
-    // A study may give single gains' starts itself.
+    // The study itself may give start values of single gains, so the computed gains may be changed here.
     if (!unsteadiness(steady, workers).why.empty()) return study;
     steady.given = study.space.start;
     steady.given_failure = failed.why;
     return steady;
   } catch (const InputError& e) {
-    if (failed.completes) return study;  // it can be tuned as it is
+    if (failed.completes) return study;  // the study can be tuned with its own start gains
     throw InputError(
         InputPlace{study.source},
         fmt::format(

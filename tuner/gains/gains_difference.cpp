@@ -11,12 +11,12 @@
 namespace armtune::internal {
 namespace {
 
-/// One number or switch of every set.
+/// One number or switch, with its value in every set.
 struct Row {
-  std::string name;  ///< of the gain and of its part
+  std::string name;  ///< name of the gain and of its part
   std::string unit;
-  std::vector<std::string> text;              ///< a word for each set
-  std::vector<std::optional<double>> number;  ///< where it is one
+  std::vector<std::string> text;              ///< the value in each set, as text
+  std::vector<std::optional<double>> number;  ///< the value in each set, if it is a number
 };
 
 const GainField* find(const Gains& gains, const std::string& name) {
@@ -26,7 +26,7 @@ const GainField* find(const Gains& gains, const std::string& name) {
   return found == fields.end() ? nullptr : &*found;
 }
 
-/// The fields that any set's controller has, each once.
+/// Returns the fields that the controller of any set has, each once.
 std::vector<GainField> all_fields(const std::vector<NamedGains>& sets) {
   std::vector<GainField> fields;
   for (const NamedGains& set : sets) {
@@ -38,7 +38,8 @@ std::vector<GainField> all_fields(const std::vector<NamedGains>& sets) {
   return fields;
 }
 
-/// Names of the field's numbers: of the set that has most of them, as gains of forces have two forms.
+/// Returns the names of the field's numbers. Gains of forces have two forms with different counts, so the
+/// names are from the set that has the most numbers.
 std::vector<std::string> parts_of(const GainField& field, const std::vector<NamedGains>& sets,
                                   const std::vector<std::string>& joints) {
   if (!field.is_number()) return {""};
@@ -50,7 +51,7 @@ std::vector<std::string> parts_of(const GainField& field, const std::vector<Name
   return parts;
 }
 
-/// Part `i` of `parts` of them. One number of a force point counts for each joint.
+/// Returns number `i` of `parts` numbers. If a force gain has one number per point, it counts for each joint.
 std::optional<double> number_at(const Gains& gains, const GainField& field, std::size_t i, std::size_t parts,
                                 std::size_t joints) {
   const auto values = numbers(gains, field);
@@ -77,7 +78,7 @@ void add_rows(const GainField& field, const std::vector<NamedGains>& sets,
   }
 }
 
-/// Of the bits, not of the digits shown.
+/// Compares the exact numbers, not the digits shown.
 bool is_same(const Row& row) {
   for (std::size_t i = 1; i < row.text.size(); ++i) {
     if (row.number[i] != row.number[0] || row.text[i] != row.text[0]) return false;
@@ -85,7 +86,7 @@ bool is_same(const Row& row) {
   return true;
 }
 
-/// As many digits as it takes for numbers that differ to look so.
+/// Shows all digits if numbers that differ would otherwise look the same.
 void tell_apart(Row& row) {
   const auto looks_same = [&row](std::size_t i) {
     return row.number[i] && row.number[0] && row.number[i] != row.number[0] && row.text[i] == row.text[0];

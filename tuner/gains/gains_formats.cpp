@@ -11,7 +11,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Names of ROS: letters, digits, _ and, between the parts of a name space, /.
+/// Throws InputError if the node is not a valid ROS name. A name has letters, digits, _ and, between the
+/// parts of a namespace, /.
 void refuse_node(const std::string& node) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto is_allowed = [&](char c) {

@@ -10,14 +10,14 @@
 namespace armtune::internal {
 
 enum class GainsFormat {
-  kYaml,  ///< armtune's own format, that of the published gains
+  kYaml,  ///< armtune's own format (gains_file.hpp)
   kRos1,  ///< parameter file for rosparam load
   kRos2   ///< parameter file for --params-file, with the keys NODE and ros__parameters
 };
 
 /// Returns the formats' names on the command line, in the order above.
 const std::vector<std::string>& gains_format_names();
-/// Throws InputError naming the formats that exist if the name is unknown.
+/// Returns the format with this name. Throws InputError that lists the formats if the name is unknown.
 GainsFormat gains_format_from_name(const std::string& name);
 
 struct GainsFile {
@@ -27,14 +27,14 @@ struct GainsFile {
   std::vector<std::pair<std::string, std::string>> origin;
   /// Further keys of a robot's parameter file that are not gains, with their values in YAML.
   std::vector<std::pair<std::string, std::string>> others;
-  /// Name space or node of the controller. If it is empty, a ROS 2 file is for every node, and other files
-  /// have the name space of the published gains.
+  /// Name space or node of the controller. If it is empty, a ROS 2 file applies to every node, and other
+  /// files have the name space simple_effort_ctrl.
   std::string node;
 };
 
-/// Returns the text of the file. Comments at its top give the origin and the order of six-vectors; comments
-/// above each field give its unit and meaning. Numbers read back bit-identical. Throws InputError if the name
-/// of the node is not valid in ROS.
+/// Returns the text of the file. Comments at its top give the origin, and the order of task-space and joint
+/// numbers. Comments above each field give its unit and meaning. Numbers read back bit-identical. Throws
+/// InputError if the name of the node is not valid in ROS.
 std::string gains_text(const GainsFile& file, GainsFormat format);
 
 }  // namespace armtune::internal

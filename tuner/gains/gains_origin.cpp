@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-/// run.yaml's keys, and what they are called here.
+/// Keys of run.yaml, and the names that they have here.
 constexpr std::pair<const char*, const char*> kOfRun[] = {{"command", "command"},
                                                           {"study", "study"},
                                                           {"seed", "seed"},
@@ -45,7 +45,7 @@ std::string with_unit(double value, const std::string& unit) {
   return unit.empty() || unit == "1" ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, unit);
 }
 
-/// "0.8480 in target_switch, wrist_1_joint": of every scenario the worst.
+/// Returns the worst value over all scenarios, such as "0.8480 in target_switch, wrist_1_joint".
 std::string worst_of(const CsvTable& errors, Metric metric) {
   const auto column = errors.find(name(metric));
   if (!column) return {};
@@ -86,7 +86,7 @@ void add_checks(const std::string& folder, Rows& rows) {
   rows.emplace_back("simulation checks", failed.empty() ? "passed" : "failed: " + failed);
 }
 
-/// Of each margin what every scenario stands, from the rows that say it of all.
+/// Adds the stability margin of each kind that every scenario has, from the rows for all scenarios.
 void add_margins(const std::string& folder, Rows& rows) {
   const auto file = find_run_file(folder, "margins.csv");
   if (!file) return;

@@ -10,14 +10,14 @@ namespace armtune::internal {
 
 /// Returns the origin of the gains of a run folder, as rows (key, words). The rows are:
 /// - armtune's version, the command, study, seed, date and what the search found;
-/// - from verdict.yaml whether the simulation checks passed, and which failed;
-/// - from errors.csv the largest use of velocity and torque limits, and the smallest distance to a position
+/// - from verdict.yaml: whether the simulation checks passed, and which failed;
+/// - from errors.csv: the largest use of velocity and torque limits, and the smallest distance to a position
 ///   limit;
-/// - from margins.csv the stability margins, such as delays and gain factors;
+/// - from margins.csv: the stability margins, such as delays and gain factors;
 /// - the hashes of gains.yaml and of every input.
-/// Rows that the run has no data for are left out. Objective, feasibility, checks, limits and margins are
-/// left out if gains.yaml was changed after the run, or if `with_figures` is false. Throws InputError if a
-/// file of the run cannot be read.
+/// If verdict.yaml or errors.csv is missing, a row says so. Other rows without data are left out. Objective,
+/// feasibility, checks, limits and margins are left out if gains.yaml was changed after the run, or if
+/// `with_figures` is false. Throws InputError if a file of the run cannot be read.
 std::vector<std::pair<std::string, std::string>> origin_of_run(const std::string& folder,
                                                                bool with_figures = true);
 

@@ -9,18 +9,18 @@
 namespace armtune::internal {
 namespace {
 
-/// A joint that leaves everything unexplained weighs as much as this many links that are not the robot file's
-/// at all (100 % off).
+/// A joint whose whole torque is unexplained costs as much as this many links that each differ by 100 % from
+/// those of the robot file.
 constexpr double kTorqueWeight = 20.0;
-/// Friction and rotor inertia are often missing in robot files: next to no weight, enough for a unique
-/// minimum.
+/// Friction and rotor inertia are often missing in robot files, so their changes cost next to nothing. The
+/// small weight makes the minimum unique.
 constexpr double kJointWeight = 1e-6;
-/// Share of the effort limit that a sensor's noise, or the friction of a joint at rest, may be.
+/// A torque below this share of the effort limit may be sensor noise, or the friction of a joint at rest.
 constexpr double kNoiseShare = 0.005;
-/// Links that may not move: a link that is 1 % off costs as much as a joint that leaves everything
-/// unexplained.
+/// Weight of links that must not change: a link that is 1 % off costs as much as a joint whose whole torque
+/// is unexplained.
 constexpr double kFixed = 1e4 * kTorqueWeight;
-/// Comparisons between readings need no more.
+/// This accuracy suffices to compare readings with each other.
 constexpr PhysicalCone::Accuracy kAccuracy{.iterations = 1000, .tolerance = 1e-6};
 
 }  // namespace

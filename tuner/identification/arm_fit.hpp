@@ -1,8 +1,9 @@
 #pragma once
-// Fits the parameters of an arm to logged torques, and measures how well this arm explains them. Its links
-// stay close to the robot file; its friction is free. Possible mistakes in a log are compared by this measure
-// (log_mistakes.hpp). If a correction changes only the torques (order, scale, sign), the moments of the
-// regressor are reused; a changed motion needs new moments.
+// Fits the parameters of an arm to logged torques, and measures how well the fitted arm explains them. The
+// fit keeps the links close to those of the robot file, but leaves rotor inertia and friction almost free.
+// log_mistakes.hpp compares possible mistakes in a log by this measure. A correction that changes only the
+// torques (order, scale, sign) reuses the moments of the regressor. One that changes the motion needs new
+// ones.
 
 #include <vector>
 
@@ -35,18 +36,20 @@ struct TorqueReading {
 struct ArmFit {
   JointVector residual;  ///< RMS of every joint's unexplained torque beyond its noise (n) [N m, N]
   /// Residual of every joint (n), divided by the largest of these three: the RMS of its torque, the RMS of
-  /// the torque that the robot file predicts, half a percent of its effort limit. 0 to about 1.
+  /// the torque that the robot file predicts, and half a percent of its effort limit. 0 to about 1.
   JointVector unexplained;
-  double cost = 0.0;  ///< weighted squares of `unexplained` and of the links' change; less is better
+  /// Weighted sum of the squares of `unexplained` and of the links' changes from the robot file. Less is
+  /// better.
+  double cost = 0.0;
 };
 
 /// Fits physically valid arms to moments.
 class ArmFitter {
  public:
-  /// noise (n): standard deviation of the torques' noise, which no arm explains [N m, N].
+  /// noise (n): standard deviation of the torques' noise, which no parameters can explain [N m, N].
   ArmFitter(const RobotModel& model, const JointVector& noise);
 
-  /// Fits all parameters. Links that differ from the robot file's add to the cost.
+  /// Fits all parameters. Links that differ from those of the robot file add to the cost.
   ArmFit fit(const ArmMoments& moments, const TorqueReading& reading) const;
   /// Fits rotor inertia and friction only, with the robot file's own links.
   ArmFit fit_joints_only(const ArmMoments& moments, const TorqueReading& reading) const;
@@ -56,7 +59,7 @@ class ArmFitter {
 
   ParameterVector prior_;
   JointVector noise_;
-  JointVector least_torque_;  ///< below it a torque may be the sensor's noise [N m, N]
+  JointVector least_torque_;  ///< a torque below this may be sensor noise [N m, N]
   PhysicalCone cone_;
   Eigen::MatrixXd link_metric_;
   Eigen::MatrixXd joint_metric_;

@@ -11,12 +11,12 @@
 namespace armtune::internal {
 namespace {
 
-/// A column of unit length counts as dependent when less than this is left of it. Rounding leaves 1e-14; the
-/// smallest independent part seen on serial arms is 1e-3.
+/// A column of unit length counts as dependent if its part that is orthogonal to the columns before it is
+/// shorter than this. Rounding leaves 1e-14; the smallest independent part seen on serial arms is 1e-3.
 constexpr double kDependent = 1e-8;
-/// A column this much shorter than the longest is rounding.
+/// A column shorter than this share of the longest column holds nothing but rounding errors.
 constexpr double kNothing = 1e-12;
-/// Coefficients below this are rounding.
+/// Coefficients below this are rounding errors.
 constexpr double kNoCoefficient = 1e-9;
 constexpr int kStatesPerParameter = 4;
 constexpr double kLightest = 1e-3;   ///< [kg]
@@ -92,8 +92,8 @@ BaseParameters base_parameters(const RobotModel& model) {
   const int p = parameter_count(model.chain);
   Eigen::MatrixXd Y = random_regressor(model, kStatesPerParameter * p, 1);
   Eigen::VectorXd length = Y.colwise().norm();
-  // A parameter that moves nothing has a column of zeros, or of rounding; scaled up it would look like one
-  // that does.
+  // The column of a parameter without effect holds zeros or rounding errors. Scaled to unit length, it would
+  // look like the column of a parameter with an effect.
   length = (length.array() > kNothing * length.maxCoeff()).select(length, HUGE_VAL);
   Y *= length.cwiseInverse().asDiagonal();
   const SparseMatrix sparse = Y.sparseView().cast<double>();
@@ -102,7 +102,8 @@ BaseParameters base_parameters(const RobotModel& model) {
   BaseParameters base;
   base.independent = revealed.live;
   const auto rank = static_cast<Eigen::Index>(revealed.live.size());
-  // Dead columns in terms of the live ones: R_live^-1 R_dead, in the scale of the parameters themselves.
+  // The dead columns as combinations of the live ones: R_live^-1 R_dead. The loop below undoes the scaling to
+  // unit length.
   const Eigen::MatrixXd combination = revealed.R.leftCols(rank).triangularView<Eigen::Upper>().solve(
       revealed.R.rightCols(static_cast<Eigen::Index>(revealed.dead.size())));
   base.map = Eigen::MatrixXd::Zero(rank, p);

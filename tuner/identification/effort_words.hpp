@@ -1,5 +1,6 @@
 #pragma once
-// The name and the units of a joint's effort: a revolute joint has a torque, a sliding joint a force.
+// Gives the name and the units of a joint's effort for messages. The effort of a revolute joint is a torque,
+// that of a sliding joint is a force.
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
-// An exciting trajectory, from whose log an arm's parameters can be identified: a finite Fourier series for
-// each joint around a centre, faded in and out by quintics (Swevers et al., Optimal robot excitation and
-// identification, 1997).
+// Defines exciting trajectories. An exciting trajectory is a motion from whose log an arm's parameters can
+// be identified. Each joint follows a finite Fourier series around a centre. Quintic polynomials fade the
+// series in and out (Swevers et al., Optimal robot excitation and identification, 1997).
 
 #include <string>
 #include <vector>
@@ -23,8 +23,8 @@ struct Excitation {
   MotionPoint<JointVector> at(double t) const;
 };
 
-/// Duration of the longest trajectory [s] and frequency of the fastest harmonic [Hz] that are allowed. They
-/// limit the memory, and correspond to what an arm can do in one log.
+/// The longest duration [s] and the highest frequency of a harmonic [Hz] that are allowed. They limit the
+/// memory use, and correspond to what an arm can do in one log.
 inline constexpr double kLongestExcitation = 1000.0;
 inline constexpr double kFastestHarmonic = 20.0;
 

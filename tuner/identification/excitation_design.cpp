@@ -17,21 +17,22 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Instants per period of the highest harmonic at which limits and the regressor are looked at.
+/// Number of instants per period of the highest harmonic at which the limits and the regressor are evaluated.
 constexpr int kInstantsPerWave = 20;
 constexpr int kRandomStarts = 50;
-/// What a limit that is passed by its own size adds to log(condition).
+/// Weight of the violation in the cost, log(condition) + weight * violation.
 constexpr double kPenalty = 50.0;
 
-/// Counts each limit's violation once: 0 inside.
+/// Returns the sum of the violations of all limits; 0 if every limit is kept. Violations of effort, velocity
+/// and amplitude are relative to the allowed value, those of position and height are in rad or m.
 double violation(const ExcitationUse& use, const ExcitationOptions& o) {
   return std::max(0.0, use.effort_ratio / o.margin - 1.0) + std::max(0.0, -use.position_margin) +
          std::max(0.0, o.min_height - use.lowest) + std::max(0.0, use.velocity_ratio / o.margin - 1.0) +
          std::max(0.0, use.distance / o.amplitude - 1.0);
 }
 
-/// Instants that show a trajectory's limits and what it excites: the fade-in and a whole period, evenly
-/// spaced; what follows repeats them, up to the fade-out.
+/// The instants at which a trajectory is evaluated: the fade-in and one whole period, evenly spaced, and the
+/// fade-out. The motion in between repeats that of the first period.
 struct Instants {
   std::vector<double> main;
   std::vector<double> fade_out;
@@ -65,8 +66,8 @@ class Designer {
   }
   const BaseParameters& base() const { return base_; }
 
-  /// Coefficients from the unit box, each joint's series scaled until it touches its velocity margin or
-  /// amplitude.
+  /// Returns the trajectory whose coefficients are x, numbers from 0 to 1. Each joint's series is scaled
+  /// until it nearly touches its velocity margin, its amplitude or a position limit.
   Excitation at(const std::vector<double>& x) const {
     Excitation e;
     e.frequency = options_.frequency;
@@ -78,7 +79,7 @@ class Designer {
     e.sine.resize(n, h);
     e.cosine.resize(n, h);
     for (Eigen::Index k = 0; k < n * h; ++k) {
-      // The k-th harmonic at the same coefficient is k times as fast.
+      // With the same coefficient, the second harmonic is twice as fast as the first, and so on.
       const Eigen::Index harmonic = k / n;
       const double slower = 1.0 / (static_cast<double>(harmonic) + 1.0);
       e.sine(k % n, harmonic) = slower * (2.0 * x[static_cast<std::size_t>(k)] - 1.0);
@@ -132,7 +133,7 @@ class Designer {
   BaseParameters base_;
 };
 
-/// Largest shares of the limits over the instants it was shown.
+/// Records the largest shares of the limits over all points that look_at has received.
 class LimitsInUse {
  public:
   LimitsInUse(const RobotModel& model, const JointVector& center)
@@ -152,7 +153,8 @@ class LimitsInUse {
         std::max(use_.velocity_ratio, point.velocity.cwiseQuotient(velocity_limits_).cwiseAbs().maxCoeff());
     use_.effort_ratio = std::max(use_.effort_ratio, tau_.cwiseQuotient(effort_limits_).cwiseAbs().maxCoeff());
     use_.lowest = std::min(use_.lowest, poses_.p_0T.z());
-    // The first two joints' origins stand on the base or go round its axis: they are where they are.
+    // The origins of the first two joints are left out: they lie on the base or turn around the first axis,
+    // so the design cannot raise them.
     for (std::size_t i = 2; i < model_.joints.size(); ++i)
       use_.lowest = std::min(use_.lowest, poses_.p_0B[i].z());
     for (std::size_t i = 0; i < model_.joints.size(); ++i) {

@@ -19,7 +19,7 @@ struct ExcitationOptions {
   JointVector center;        ///< empty: the middle of the position limits
   double amplitude = 1.0;    ///< largest distance from the centre [rad, m]
   double margin = 0.8;       ///< share of the velocity and effort limits that may be used
-  double min_height = -1e9;  ///< least height of tool and origins of joints from the third on [m]
+  double min_height = -1e9;  ///< least height of the tool and of the third and later joints' origins [m]
   long evaluations = 20000;
   std::uint64_t seed = 1;
   std::function<void(long evaluations, double condition)> progress;
@@ -32,8 +32,8 @@ struct ExcitationUse {
   double distance = 0.0;         ///< largest distance from the centre [rad, m]
   double position_margin = 0.0;  ///< smallest distance to a position limit [rad, m]
   double velocity_ratio = 0.0;
-  double effort_ratio = 0.0;  ///< by inverse dynamics of the model
-  double lowest = 0.0;        ///< least height of the points named at `min_height` [m]
+  double effort_ratio = 0.0;  ///< from the inverse dynamics of the model
+  double lowest = 0.0;        ///< least height of the points that `min_height` limits [m]
 };
 
 ExcitationUse use_of(const Excitation& excitation, const RobotModel& model, const BaseParameters& base);

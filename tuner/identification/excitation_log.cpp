@@ -18,13 +18,13 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kWayToCenter = 3.0;  ///< [s]
-/// Farther off than this the arm does not follow [rad, m].
+constexpr double kWayToCenter = 3.0;  ///< duration of the motion to the centre [s]
+/// If the arm is farther than this from the trajectory, it does not follow it [rad, m].
 constexpr double kLost = 0.5;
-/// Keeps the torque sensor's noise apart from that of the others.
+/// Makes the random numbers of the torque noise differ from those of the other sensors.
 constexpr std::uint64_t kTorqueStream = 0x746f72717565;
 
-/// tau = Y theta - Kd S with the joint space references of a trajectory.
+/// The control law that follows the trajectory: tau = Y theta - Kd S, with joint space references.
 class Follower {
  public:
   Follower(const RobotModel& model, const JointVector& center, const ExcitationLogOptions& options)

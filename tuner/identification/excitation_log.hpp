@@ -1,6 +1,6 @@
 #pragma once
 // Simulates an arm that follows an exciting trajectory (excitation.hpp), and returns the log that its sensors
-// would record. With such a log, an identification can be tested before it is made on the real arm.
+// would record. Such a log serves to test an identification before the real arm is used.
 
 #include <atomic>
 
@@ -13,7 +13,7 @@ namespace armtune::internal {
 
 struct ExcitationLogOptions {
   double torque_noise = 0.0;  ///< standard deviation of the white noise per sample [N m, N]
-  bool payload = false;       ///< true if the scenario's payload hangs at the tool
+  bool payload = false;       ///< true: the scenario's payload is attached to the tool
   double bandwidth = 20.0;    ///< Kd = bandwidth times the joint's inertia at the centre [1/s]
   double stiffness = 5.0;     ///< Kp [1/s]
   Stepper stepper = Stepper::kMidpoint;
@@ -27,12 +27,12 @@ struct ExcitationLog {
   bool interrupted = false;
 };
 
-/// Simulates the scenario's arm with its noise, delay, friction and seed, but without its task. The arm moves
-/// from its start pose to the centre in 3 s and then along the trajectory, under tau = Y theta - Kd S. Here Y
-/// is the regressor, theta is that of the model, and S is the measured velocity minus its reference, which
-/// includes Kp times the position error. The log has measured positions and velocities. Its torque is that of
-/// a joint's sensor: the mean of the torques that act before and after the instant. Throws InputError if the
-/// arm is more than 0.5 rad or 0.5 m off the trajectory.
+/// Simulates the scenario's arm with its noise, delay, friction and seed, but without its task. The arm
+/// moves from its start pose to the centre in 3 s and then along the trajectory, under tau = Y theta - Kd S.
+/// Here Y is the regressor, theta are the model's inertial and friction parameters, and S is the measured
+/// velocity minus its reference, which includes Kp times the position error. The log has measured positions
+/// and velocities. Its torques are those of joint torque sensors: the mean of the torques that act before
+/// and after the instant. Throws InputError if the arm is more than 0.5 rad or 0.5 m off the trajectory.
 ExcitationLog simulate_excitation(const Scenario& scenario, const Excitation& excitation,
                                   const ExcitationLogOptions& options, const std::atomic<bool>& stop);
 

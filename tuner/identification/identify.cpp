@@ -11,20 +11,21 @@
 namespace armtune::internal {
 namespace {
 
-/// Huber's constant: 95 % of the efficiency of least squares on normal errors. Huber, Robust Statistics,
-/// 1981.
+/// Huber's constant. With it, the estimate has 95 % of the efficiency of least squares on normal errors.
+/// Huber, Robust Statistics, 1981.
 constexpr double kHuber = 1.345;
 
-/// E[min(|z|, kHuber)^2] of a normal z: what the clipped squares are of the variance.
+/// E[min(|z|, kHuber)^2] of a standard normal z: the ratio of the mean clipped square to the variance.
 constexpr double kClippedVariance = 0.7102;
 
-/// Iteratively reweighted least squares: between passes the estimate and every joint's scale, which comes
-/// from clipped residuals, so that neither outliers nor their weights move it (Huber's proposal 2).
+/// Weights of the iteratively reweighted least squares. Keeps the estimate and every joint's scale from one
+/// pass to the next. The scales come from clipped residuals, so that neither outliers nor their weights
+/// change them (Huber's proposal 2).
 class Reweighting {
  public:
   explicit Reweighting(int joints) : clipped_(JointVector::Zero(joints)) {}
 
-  /// Takes what a pass has found.
+  /// Stores the estimate of a pass, and computes the scales for the next pass.
   void update(const Estimate& estimate) {
     scale_ = rows_ == 0
                  ? JointVector(estimate.torque_residual)
@@ -34,7 +35,7 @@ class Reweighting {
     rows_ = 0;
   }
 
-  /// Multiplies each row by the root of Huber's weight of its residual.
+  /// Multiplies each row by the square root of Huber's weight for its residual.
   void weigh(Eigen::MatrixXd& rows) {
     const Eigen::Index rank = theta_.size();
     for (Eigen::Index j = 0; j < rows.rows(); ++j) {
@@ -53,7 +54,7 @@ class Reweighting {
   long rows_ = 0;
 };
 
-/// Which rows are left out of the fit: every fifth second.
+/// Selects the rows that are left out of the fit: every fifth second.
 class HoldOut {
  public:
   HoldOut(bool on, double row_period) : on_(on), rows_(std::max(1L, std::lround(1.0 / row_period))) {}
@@ -124,7 +125,7 @@ class Passes {
     bool gap = false;
     while (!stop_ && stream.next(rows)) {
       const bool out = hold_out.contains(count++);
-      // The first pass sees every row without weights.
+      // The rows have no weights in the first pass, so each counts once and equally here.
       if (pass == 0) (out ? held_out_ : fitted_).add(rows);
       if (!out) {
         if (gap) regression.begin_log();

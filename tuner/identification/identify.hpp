@@ -1,7 +1,7 @@
 #pragma once
-// Identification of theta, an arm's inertial and friction parameters, from logs. The logs are converted to
-// the rows of a regression, weighted or robust, which estimates the base parameters. This estimate is then
-// completed to a physically valid theta.
+// Identifies theta, an arm's inertial and friction parameters, from logs. The logs are converted to the rows
+// of a regression, weighted or robust. It estimates the base parameters, the combinations of theta that can
+// be identified (base_parameters.hpp). The estimate is then completed to a physically valid theta.
 
 #include <atomic>
 #include <functional>
@@ -23,13 +23,13 @@ struct IdentifyOptions {
   std::function<void(int pass, std::size_t log, long samples)> progress;
 };
 
-/// The RMS of every joint's torque (n) [N m, N], and of the part of it that is not explained, on some rows of
-/// the logs.
+/// RMS values per joint (n) [N m, N] over some rows of the logs: of the torque, and of the part of it that
+/// the parameters do not explain.
 struct Unexplained {
   long rows = 0;             ///< number of rows per joint
   Eigen::VectorXd torque;    ///< RMS of the filtered torque itself
-  Eigen::VectorXd by_theta;  ///< RMS of what the identified theta leaves unexplained
-  Eigen::VectorXd by_file;   ///< RMS of what the unchanged robot file leaves unexplained
+  Eigen::VectorXd by_theta;  ///< RMS of the part that the identified theta leaves unexplained
+  Eigen::VectorXd by_file;   ///< RMS of the part that the unchanged robot file leaves unexplained
 };
 
 struct Identification {
@@ -38,7 +38,7 @@ struct Identification {
   ParameterVector theta;       ///< 13 n, physically valid
   bool made_physical = false;  ///< true if the estimate itself was not physically valid
   Unexplained fitted;          ///< on the rows that theta was fitted to
-  Unexplained held_out;        ///< on the rows that were left out; no rows without IdentifyOptions::hold_out
+  Unexplained held_out;        ///< on the rows that were held out; no rows without IdentifyOptions::hold_out
   JointVector torque_noise;    ///< standard deviation of the noise in the rows' torques (n) [N m, N]
   LogComparison comparison;    ///< comparison of the logs with the robot file
   long samples = 0;            ///< number of samples in all logs
@@ -46,7 +46,8 @@ struct Identification {
   bool interrupted = false;
 };
 
-/// Identifies theta of an arm that has the model's geometry. Throws InputError for logs that cannot be used.
+/// Identifies theta of an arm whose geometry is that of the model. Throws InputError for logs that cannot be
+/// used.
 Identification identify(const RobotModel& model, const std::vector<std::string>& logs,
                         const LogColumns& columns, const IdentifyOptions& options,
                         const std::atomic<bool>& stop);

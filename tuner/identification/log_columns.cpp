@@ -9,7 +9,7 @@
 namespace armtune::internal {
 namespace {
 
-/// A value for each joint, from a list in joint order or a map by joint name.
+/// Returns one value per joint, from a list in joint order or from a map by joint name.
 std::vector<const yaml::Node*> by_joint(const yaml::Node& node, const std::vector<std::string>& joints) {
   std::vector<const yaml::Node*> values;
   values.reserve(joints.size());
@@ -54,7 +54,8 @@ std::vector<LogColumn> read_columns(const yaml::Node& node, const std::vector<st
   return columns;
 }
 
-/// Multiplies the scales: angles and lengths as the joints turn or slide; torque of joints that turn.
+/// Multiplies the scales by the units. Joints that turn use the units of angle and torque. Joints that slide
+/// use the unit of length, and their forces are in N.
 void use_units(const yaml::FileUnits& units, const RobotModel& model, LogColumns& columns) {
   columns.time.scale *= units.time;
   for (std::size_t i = 0; i < columns.position.size(); ++i) {

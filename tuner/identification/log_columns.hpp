@@ -19,19 +19,19 @@ struct LogColumn {
 struct LogColumns {
   LogColumn time;
   std::vector<LogColumn> position;
-  std::vector<LogColumn> velocity;  ///< n, or empty: the log has none and needs none
+  std::vector<LogColumn> velocity;  ///< n columns; empty if the log has no velocities
   std::vector<LogColumn> torque;
-  bool velocity_optional = false;  ///< true: a log without any of the velocity columns has no velocities
+  bool velocity_optional = false;  ///< true: a log may lack all of the velocity columns
 };
 
-/// Returns the columns that armtune itself writes: `time`, `joint/NAME/position`, `joint/NAME/torque`, and
-/// `joint/NAME/velocity` as optional ones.
+/// Returns the columns that armtune itself writes: `time`, `joint/NAME/position`, `joint/NAME/torque` and, as
+/// optional columns, `joint/NAME/velocity`.
 LogColumns default_log_columns(const RobotModel& model);
 
 /// Reads the columns from a YAML file with `time`, `time_scale`, `position`, `velocity` (optional) and
 /// `torque`. Each of the last three has `columns`, a list of n column names or a map from joint names to
 /// column names, and may have `scale`: one number, a list of n numbers or a map from joint names to numbers.
-/// `units` (file_units.hpp) gives the units of all columns at once; velocities are per second. Throws
+/// `units` (file_units.hpp) gives the units of all columns at once; velocities are always per second. Throws
 /// InputError if the file does not have this form.
 LogColumns load_log_columns(const std::string& path, const RobotModel& model);
 

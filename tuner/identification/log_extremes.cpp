@@ -13,15 +13,16 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kShare = 0.05;        ///< of the instants may lie outside: someone pushed the arm, a spike
-constexpr double kLeastMotion = 0.01;  ///< range of a position [rad, m]
-constexpr double kOtherUnit = 3.0;     ///< times the largest position limit
-constexpr double kRounding = 1e-9;     ///< of filtering a torque that never changes
-constexpr double kOverRange = 0.1;     ///< of a position's range
-constexpr double kOverRate = 2.0;      ///< times the velocity limit
-constexpr double kOverEffort = 2.0;    ///< times the effort limit
-/// An arm that moves in another unit of torque needs at least this share of some joint's effort limit, once
-/// the unit is put right. Torques that are ten times too large, or of a stronger arm, need less.
+constexpr double kShare = 0.05;        ///< share of the instants that may be outside, such as spikes
+constexpr double kLeastMotion = 0.01;  ///< smallest range of the position of a joint that moves [rad, m]
+constexpr double kOtherUnit = 3.0;     ///< above this multiple of the largest limit, the unit is wrong
+constexpr double kRounding = 1e-9;     ///< relative change that filtering makes in a constant torque
+constexpr double kOverRange = 0.1;     ///< allowed excess over a position limit, as a share of the range
+constexpr double kOverRate = 2.0;      ///< allowed velocity, as a multiple of its limit
+constexpr double kOverEffort = 2.0;    ///< allowed torque, as a multiple of its limit
+/// If the torques are in another unit, a moving arm needs at least this share of some joint's effort limit
+/// once they are converted. Torques that are ten times too large, or those of a stronger arm, give a smaller
+/// share.
 constexpr double kLeastEffort = 0.05;
 constexpr double kDegree = M_PI / 180.0;
 
@@ -30,7 +31,7 @@ struct Unit {
   const char* name;
 };
 
-/// The value that a share of kShare exceeds in size.
+/// Returns the absolute value that a share of kShare of the instants exceeds.
 double high_value(const std::vector<LogInstant>& instants,
                   const std::function<double(const LogInstant&)>& value) {
   std::vector<double> sizes;
@@ -42,8 +43,8 @@ double high_value(const std::vector<LogInstant>& instants,
   return *place;
 }
 
-/// "; if the log is in degrees, set `scale: ...`", with the first unit that brings the value below the
-/// limit.
+/// Returns "; if the log is in degrees, set `scale: ...`", with the first unit that brings the value below
+/// the limit. Without such a unit, it advises to check the columns.
 std::string hint(double value, double limit, std::initializer_list<Unit> units, const char* key) {
   for (const Unit& unit : units) {
     if (value * unit.scale > limit) continue;
@@ -121,7 +122,7 @@ class LimitCheck {
   }
 
  private:
-  /// Least and largest value.
+  /// Returns the least and the largest value.
   std::pair<double, double> range(const std::function<double(const LogInstant&)>& value) const {
     std::pair<double, double> found = {value(instants_.front()), value(instants_.front())};
     for (const LogInstant& at : instants_)
@@ -133,7 +134,7 @@ class LimitCheck {
         "its position is as large as {:.4g} {}, but its limits in the robot file are {:.4g} and {:.4g} {}",
         size, unit(), info_.limits.lower, info_.limits.upper, unit());
   }
-  /// True if a thousandth of some joint's torque is what an arm of this strength needs.
+  /// Returns true if a thousandth of some joint's torque would be enough to move an arm of this strength.
   bool some_thousandth_is_felt() const {
     for (int j = 0; j < static_cast<int>(model_.joints.size()); ++j) {
       const double size = high_value(instants_, [j](const LogInstant& at) { return at.torque[j]; });
@@ -177,7 +178,7 @@ void check_motion(const RobotModel& model, const std::vector<LogInstant>& instan
 void check_units(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs) {
   if (instants.empty()) return;
   using Check = void (LimitCheck::*)() const;
-  // One kind after the other over all joints: a wrong unit shows in most of them.
+  // Each check runs over all joints before the next check, because a wrong unit shows in most joints.
   for (const Check check : {&LimitCheck::torque_is_there, &LimitCheck::position_unit, &LimitCheck::velocity,
                             &LimitCheck::torque}) {
     for (int j = 0; j < model.n(); ++j) (LimitCheck(model, instants, logs, j).*check)();

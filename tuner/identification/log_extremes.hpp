@@ -1,7 +1,6 @@
 #pragma once
 // Compares the logged motion and torques with the limits of the robot file. A joint that is far outside its
-// limits for much of a log suggests that the log has another unit, or is of
-// another arm.
+// limits for much of a log suggests that the log is in another unit or of another arm.
 
 #include "core/robot/robot_model.hpp"
 #include "tuner/identification/log_instants.hpp"
@@ -12,10 +11,13 @@ namespace armtune::internal {
 /// almost no information about masses.
 void check_motion(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs);
 
-/// Throws InputError if over 5 % of the instants have a position of more than three times the largest limit,
-/// or a velocity or torque of more than twice its limit, or if a torque never changes, although the
-/// joint moves by more than 0.01 rad or 0.01 m, or is always zero. The message names the
-/// logs, the joint, the value, the limit and the likely unit.
+/// Throws InputError in each of these cases:
+///   - over 5 % of the instants have a position of more than three times the largest limit;
+///   - over 5 % of the instants have a velocity or a torque of more than twice its limit;
+///   - a torque is always zero;
+///   - a torque never changes, although the joint moves by more than 0.01 rad or 0.01 m.
+/// The message names the logs and the joint. If a limit is exceeded, it also names the value, the limit and,
+/// if possible, the likely unit.
 void check_units(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs);
 
 /// Throws InputError if over 5 % of the instants have a position outside its limits by more than a tenth of

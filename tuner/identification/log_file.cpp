@@ -16,19 +16,20 @@
 namespace armtune::internal {
 namespace {
 
-/// Steps that the period is the mean of. Every further such stretch must have it, both halves of the first
-/// one and what is left at the end, too.
+/// Number of steps in a stretch. The period is the mean step of the first stretch. Both halves of the first
+/// stretch, every further stretch and the remainder at the end must have the same mean step.
 constexpr long kStretch = 500;
-/// Largest deviation of one step from the period, relative: time stamps jitter. A missing sample is 1.
+/// Largest deviation of one step from the period, relative. It allows for jitter of the time stamps; a
+/// missing sample deviates by 1.
 constexpr double kJitter = 0.5;
-/// Largest deviation of a stretch's mean step, relative, beside what the jitter of its two ends makes.
+/// Largest deviation of a stretch's mean step, relative, in addition to the effect of jitter at its two ends.
 constexpr double kDrift = 0.01;
-/// In SI units: beyond every arm, within what the sums of squares hold.
+/// Largest accepted value, in SI units. No arm reaches it, and sums of its squares can be represented.
 constexpr double kLargest = 1e9;
-/// Column names that a message lists.
+/// Largest number of column names that a message lists.
 constexpr std::size_t kShownNames = 20;
 
-/// The cell as a finite number, or nothing.
+/// Returns the cell as a number, or nothing if it is not a finite number.
 std::optional<double> number_in(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0.0;
@@ -211,7 +212,7 @@ JointVector LogFile::read_values(const std::vector<std::size_t>& places,
 
 double LogFile::read_time() {
   const double stamp = read_number(time_place_, columns_.time);
-  // Unix time stamps keep their digits when the first is subtracted before they are scaled.
+  // The first time stamp is subtracted before scaling, so that Unix time stamps keep their digits.
   if (samples_ == 0) first_time_ = stamp;
   const double time = (stamp - first_time_) * columns_.time.scale;
   check_time(time);

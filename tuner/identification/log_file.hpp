@@ -22,19 +22,19 @@ struct LogSample {
 
 /// A log that is read from its start. Blank lines at the start of the file are skipped. If the first line
 /// after them holds numbers only, the log has no column names, and its columns are called 1, 2, 3 and so on.
-/// Throws InputError with file, line and column for a log that is not intact. Examples are missing or doubled
+/// Throws InputError with file, line and column if the log is malformed. Examples are missing or repeated
 /// columns, lines of more than 1 MB, rows with too few or too many cells, text that is not a finite number,
-/// and times that do not rise evenly.
+/// and times that do not increase evenly.
 class LogFile {
  public:
   LogFile(const std::string& path, const LogColumns& columns);
 
-  /// Returns the next sample, or none at the end.
+  /// Returns the next sample, or nothing at the end.
   std::optional<LogSample> next();
   /// Returns the time between samples [s]: the mean over the samples that are read ahead at the start.
   double period() const { return period_; }
   const std::string& path() const { return path_; }
-  /// Returns the hash of the file; valid after next() has returned none.
+  /// Returns the hash of the file; valid after next() has returned nothing.
   std::string hash() const { return lines_.hash(); }
   bool has_velocities() const { return !columns_.velocity.empty(); }
 

@@ -6,9 +6,9 @@
 namespace armtune::internal {
 namespace {
 
-/// Median of |z| of a normal z.
+/// Median of |z| for a standard normal z.
 constexpr double kNormalMedian = 0.6745;
-/// A second difference of white noise has this many times its variance: 1 + 4 + 1.
+/// Variance of the second differences of white noise, as a multiple of the noise's variance: 1 + 4 + 1.
 constexpr double kVarianceOfSecondDifference = 6.0;
 
 }  // namespace

@@ -1,9 +1,9 @@
 #pragma once
-// Keeps instants of robot logs, evenly spaced in time, and estimates the noise of the torques. With them a
-// log can be compared with the robot file many times without reading it again. The motion at these instants
-// has passed the same two filters as the rows of the regression (row_stream.hpp). The second filter is
-// needed: after the first alone, noise in the positions would look like acceleration of a joint that stands
-// still.
+// Keeps instants of robot logs, evenly spaced in time, and estimates the noise of the torques. The instants
+// allow a log to be compared with the robot file many times without reading the log again. The motion at
+// these instants has passed the same two filters as the rows of the regression (row_stream.hpp). The second
+// filter is needed: after the first alone, noise in the positions would look like acceleration of a joint at
+// rest.
 
 #include <vector>
 
@@ -42,8 +42,8 @@ class Sampled {
 
 class LogInstants {
  public:
-  /// Starts the next log. filter_norm: Euclidean norm of the weights of the filters that the instants'
-  /// torques have passed.
+  /// Must be called before the values of each log are added. filter_norm: Euclidean norm of the weights of
+  /// the filters that the instants' torques have passed.
   void begin_log(double filter_norm) {
     filter_norm_ = filter_norm;
     last_.resize(0);
@@ -54,9 +54,10 @@ class LogInstants {
 
   const std::vector<LogInstant>& kept() const { return instants_.kept(); }
   /// Returns the standard deviation of the noise in the filtered torques of the instants (n) [N m, N]. It is
-  /// right if the noise of the logged torques is white. It is computed from the median size of the second
+  /// valid if the noise of the logged torques is white. It is computed from the median size of the second
   /// differences of the logged torques. The motion hardly changes this median, because smooth torques have
-  /// small second differences, and jumps by friction are rare. Empty if no log has three samples.
+  /// small second differences, and jumps of friction are rare. The result is empty if no log has three
+  /// samples.
   JointVector torque_noise() const { return filter_norm_ * logged_torque_noise(); }
 
  private:

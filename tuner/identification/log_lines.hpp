@@ -1,5 +1,5 @@
 #pragma once
-// The lines of a text table, read one at a time from a file of any length. Lines may end with LF, CR LF or
+// Reads the lines of a text table, one at a time, from a file of any length. Lines may end with LF, CR LF or
 // CR.
 
 #include <fstream>
@@ -17,15 +17,16 @@ class LogLines {
  public:
   explicit LogLines(const std::string& path);
 
-  /// Moves to the next line; false at the end of the file.
+  /// Moves to the next line. Returns false at the end of the file.
   bool next();
-  /// Makes next() give the present line once more.
+  /// Makes the following call of next() stay on the current line.
   void repeat() { repeat_ = true; }
-  /// Returns the present line without its end; valid until next() is called.
+  /// Returns the current line without its line end; valid until next() is called.
   std::string_view text() const { return line_; }
-  /// Returns the number of the present line, counted from 1.
+  /// Returns the number of the current line, counted from 1.
   long number() const { return number_; }
-  /// Returns the hash of all bytes read so far. After next() has returned false it is that of the whole file.
+  /// Returns the hash of all bytes read so far. After next() has returned false, this is the hash of the
+  /// whole file.
   std::string hash() const { return hash_.text(); }
 
  private:
@@ -34,12 +35,12 @@ class LogLines {
   std::string path_;
   std::ifstream file_;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0;  ///< begin and end of the text in the buffer that next() has not returned yet
+  std::size_t begin_ = 0;  ///< begin and end, in the buffer, of the text after the current line
   std::size_t end_ = 0;
   std::string_view line_;
   long number_ = 0;
   Fnv1a hash_;
-  bool after_cr_ = false;  ///< true: a line feed that follows belongs to the line end before it
+  bool after_cr_ = false;  ///< true after a CR: an LF that follows belongs to the same line end
   bool repeat_ = false;
 };
 

@@ -12,22 +12,24 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-/// A joint that leaves more than this of its torque unexplained by any arm near the robot file's: friction
-/// models and noise leave less.
+/// Largest share of a joint's torque that the best fitting arm near the robot file may leave unexplained.
+/// Friction models and noise leave less.
 constexpr double kUnexplained = 0.5;
-/// The robot file's own links leave more than this of all torque unexplained: they would need over twice the
-/// torque.
+/// Largest RMS torque that the robot file's own links may leave unexplained, relative to the RMS of all
+/// torques. Above it, these links need over twice the logged torque.
 constexpr double kOtherArm = 1.2;
-/// The same once torques were scaled by a thousand.
+/// The corresponding limit for torques that were multiplied or divided by a thousand.
 constexpr double kOtherScale = 0.6;
-/// Right logs cost less: about 1 with noise and friction, 2 with a tool that the robot file does not have.
+/// A correct log has a lower cost: about 1 with noise and friction, 2 with a tool that is missing in the
+/// robot file.
 constexpr double kOrdinaryCost = 3.0;
-/// Standard deviation of a position [rad, m] from which on its zero, its sign and its column can be told.
+/// Standard deviation of a position [rad, m] above which mistakes in its zero, sign or column can be
+/// detected.
 constexpr double kLeastMotion = 0.1;
-/// A mistake is named when it lowers the cost at least so much.
+/// A mistake is reported if its correction lowers the cost to less than this share.
 constexpr double kMuchBetter = 0.4;
 
-/// Tries the reading that each mistake asks for, and keeps the one of least cost.
+/// Corrects each possible mistake in turn, fits the corrected log, and keeps the mistake of least cost.
 class Search {
  public:
   Search(const RobotModel& model, const std::vector<LogInstant>& instants, const JointVector& noise)
@@ -46,8 +48,8 @@ class Search {
     for (const double scale : {1e-3, 1e3}) {
       TorqueReading reading = TorqueReading::as_logged(n);
       reading.scale = scale;
-      // Torques that have next to vanished would fit an arm that weighs next to nothing: the robot file's own
-      // links have to explain them.
+      // After scaling, the torques may nearly vanish. An arm that weighs almost nothing would fit them, so
+      // the robot file's own links must explain them.
       if (fitter_.fit_joints_only(moments, reading).residual.norm() >
           kOtherScale * scale * std::sqrt(moments.torque_squares.sum()))
         continue;
@@ -126,7 +128,8 @@ class Search {
   }
 
  private:
-  /// Of a joint that stands still any sign and zero position explain the torque with some mass.
+  /// Returns true if the joint's position varies enough. If a joint stands still, its torque can be explained
+  /// by some mass with any sign and any zero position.
   bool moves(int joint) const {
     double sum = 0.0;
     double squares = 0.0;
@@ -155,7 +158,7 @@ class Search {
   std::optional<LogMistake> best_;
 };
 
-/// RMS of what is left of all joints' torques, relative.
+/// Returns the RMS of all joints' unexplained torques, as a share of the RMS of all torques.
 double all_unexplained(const ArmFit& fit, const ArmMoments& moments) {
   return fit.residual.norm() / std::sqrt(moments.torque_squares.sum());
 }
@@ -173,9 +176,9 @@ LogComparison compare_with_robot_file(const RobotModel& model, const std::vector
   found.most_joints_move = search.most_joints_move();
   const bool explained = found.as_logged.unexplained.maxCoeff() < kUnexplained &&
                          all_unexplained(found.robot_file, moments) < kOtherArm;
-  // One joint's motion alone can be explained by many a zero position.
+  // If few joints move, many different zero positions explain the log equally well.
   if (explained && (found.as_logged.cost < kOrdinaryCost || !found.most_joints_move)) return found;
-  // A factor of a thousand shows in the robot file's own torques.
+  // Torques that are wrong by a factor of a thousand are never explained by an arm near the robot file's.
   if (!explained) search.try_torque_scales(moments);
   search.try_torques(moments);
   search.try_motions();

@@ -1,8 +1,8 @@
 #pragma once
-// Finds common mistakes in a robot's logs before its parameters are identified from them: wrong units, signs,
-// columns, zero positions or mounting, or a log of another arm. Each possible mistake is corrected on trial,
-// and an arm close to the robot file is fitted to the corrected log. The mistake whose correction gives the
-// best fit is the most likely one.
+// Finds common mistakes in a robot's logs before its parameters are identified from them: wrong units,
+// signs, columns, zero positions or mounting, or a log of another arm. Each possible mistake is tentatively
+// corrected, and an arm close to the robot file is fitted to the corrected log. The mistake whose correction
+// gives the best fit is the most likely one.
 
 #include <optional>
 #include <string>
@@ -38,12 +38,12 @@ struct LogMistake {
 
 /// The result of a comparison of a log with the robot file.
 struct LogComparison {
-  ArmFit as_logged;   ///< fit of the unchanged log; free: links, rotor inertia and friction
-  ArmFit robot_file;  ///< fit of the unchanged log; free: rotor inertia and friction; links: the robot file's
+  ArmFit as_logged;   ///< fit of links, rotor inertia and friction to the unchanged log
+  ArmFit robot_file;  ///< fit of rotor inertia and friction alone, with the links of the robot file
   /// True if at least half of the joints move. If fewer joints move and some arm close to the robot file
   /// explains the log, wrong signs, zero positions and columns cannot be detected.
   bool most_joints_move = true;
-  std::optional<LogMistake> mistake;  ///< none: the log may well be of this arm
+  std::optional<LogMistake> mistake;  ///< none: the log seems to be of this arm
 };
 
 /// Compares a log with the robot file. This takes some 50 ms, or a second or two if it has to look for

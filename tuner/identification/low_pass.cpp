@@ -6,10 +6,11 @@
 namespace armtune::internal {
 namespace {
 
-/// Half length of the window in units of 1 / cutoff: its main lobe then ends half a cutoff away.
+/// Half length of the window in units of 1 / cutoff. The main lobe of its spectrum then ends half a cutoff
+/// away.
 constexpr double kHalfLength = 4.0;
 
-/// sum_k c_k cos(k w t) with its first two derivatives.
+/// The value of a function of time, with its first two derivatives.
 struct Wave {
   double value = 0.0;
   double first = 0.0;
@@ -28,7 +29,7 @@ Wave blackman_harris(double t, double half_length) {
   return window;
 }
 
-/// sin(w t) / (w t) with its first two derivatives.
+/// Returns sin(w t) / (w t) with its first two derivatives.
 Wave sinc(double t, double w) {
   const double x = w * t;
   if (std::abs(x) < 1e-3) return {1.0 - x * x / 6.0, -w * x / 3.0, -w * w / 3.0 * (1.0 - 0.3 * x * x)};
@@ -57,11 +58,12 @@ LowPass low_pass(double cutoff, double period, double delay) {
     const Wave s = sinc(t[k], 2.0 * M_PI * cutoff);
     const Wave w = blackman_harris(t[k], half_length);
     filter.value[k] = s.value * w.value;
-    // A sample at time t weighs h(now - t): odd derivatives change their sign.
+    // A sample at time t has the weight h(now - t), so odd derivatives change their sign.
     filter.first[k] = -(s.first * w.value + s.value * w.first);
     filter.second[k] = s.second * w.value + 2.0 * s.first * w.first + s.value * w.second;
   }
-  // The sums over samples miss the integrals by little; exactly right, no offset leaks into a derivative.
+  // The sums over the samples differ slightly from the integrals. These corrections make them exact, so that
+  // no offset leaks into a derivative.
   filter.value /= filter.value.sum();
   filter.first /= filter.first.dot(t);
   filter.second -= filter.second.sum() * filter.value;

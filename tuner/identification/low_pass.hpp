@@ -1,8 +1,8 @@
 #pragma once
 // A zero-phase low-pass filter with derivatives: a symmetric FIR kernel, which is a sinc under a
-// Blackman-Harris window, and the kernel's own analytic derivatives. Since the kernel is of finite length,
-// the filter gives the same numbers block by block as on the whole signal. Harris, On the use of windows for
-// harmonic analysis with the discrete Fourier transform, 1978.
+// Blackman-Harris window, and the kernel's own analytic derivatives. Since the kernel is of finite length, a
+// signal that is filtered block by block gives the same numbers as the whole signal at once. Harris, On the
+// use of windows for harmonic analysis with the discrete Fourier transform, 1978.
 
 #include <Eigen/Core>
 
@@ -13,7 +13,7 @@ struct LowPass {
   int half = 0;
   Eigen::VectorXd value;   ///< sums to 1
   Eigen::VectorXd first;   ///< first derivative [1/s]: exact on quadratic signals
-  Eigen::VectorXd second;  ///< second derivative [1/s^2]: exact on cubic ones
+  Eigen::VectorXd second;  ///< second derivative [1/s^2]: exact on cubic signals
 
   int length() const { return 2 * half + 1; }
 };

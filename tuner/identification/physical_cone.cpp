@@ -9,13 +9,13 @@
 namespace armtune::internal {
 namespace {
 
-/// In the pseudo-inertia lengths count in this unit [m], so that a link's mass, first moment and inertia are
-/// of one size.
+/// Unit of length in the pseudo-inertia [m]. With it, a link's mass, first moment and inertia are of similar
+/// size.
 constexpr double kLength = 0.2;
-/// Least eigenvalue of a pseudo-inertia, as a share of the prior's trace: a link keeps a mass and an inertia
-/// that a simulator can divide by.
+/// Smallest eigenvalue of a pseudo-inertia, as a share of its trace in the prior. It keeps the link's mass
+/// and inertia large enough for a simulator to divide by them.
 constexpr double kLeastEigenvalue = 1e-9;
-/// Farther than this from valid, relative, is more than rounding.
+/// A relative distance from the valid set above this is more than a rounding error.
 constexpr double kInvalid = 1e-6;
 
 PseudoInertia scaled(const Eigen::Matrix<double, kLinkParameters, 1>& link) {
@@ -75,7 +75,8 @@ ParameterVector PhysicalCone::theta_from(const Eigen::VectorXd& y) const {
   return theta;
 }
 
-/// Nearest valid coordinates in their norm, inside the cone by the least eigenvalue.
+/// Returns the nearest valid coordinates in the Euclidean norm. The eigenvalues of every pseudo-inertia
+/// become at least `least_eigenvalue`.
 Eigen::VectorXd PhysicalCone::project(const Eigen::VectorXd& y, double least_eigenvalue) const {
   Eigen::VectorXd valid = y;
   const auto n = static_cast<Eigen::Index>(link_unit_.size());
@@ -101,7 +102,7 @@ PhysicalMinimum PhysicalCone::minimum(const Eigen::MatrixXd& Q, const Eigen::Vec
     found.theta = theta_from(z);
     return found;
   }
-  // The penalty lies between the extremes of Q in these coordinates.
+  // The initial penalty is chosen between the extreme eigenvalues of Q in these coordinates.
   double rho = std::sqrt(metric_.llt().matrixL().solve(Q).norm());
   Eigen::LLT<Eigen::MatrixXd> factor(Q + rho * metric_);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(y.size());
@@ -113,7 +114,7 @@ PhysicalMinimum PhysicalCone::minimum(const Eigen::MatrixXd& Q, const Eigen::Vec
     const double primal = (y - z).norm();
     const double dual = (z - last).norm();
     if (std::max(primal, dual) < accuracy.tolerance * (1.0 + z.norm())) break;
-    // Residual balancing (Boyd et al., section 3.4.1), seldom enough to converge.
+    // Residual balancing (Boyd et al., section 3.4.1), rarely enough that the iteration still converges.
     if (iteration % 100 == 99 && (primal > 10.0 * dual || dual > 10.0 * primal)) {
       const double change = primal > dual ? 2.0 : 0.5;
       rho *= change;

@@ -10,21 +10,23 @@
 namespace armtune::internal {
 namespace {
 
-/// An estimate is not believed beyond this share of a group's size: noise-free logs would ask for 1e12.
+/// Smallest standard deviation of a base parameter that is believed, as a share of the parameter's size.
+/// Without this floor, noise-free logs would give weights of 1e12.
 constexpr double kFinest = 1e-5;
-/// An eigenvalue of a matrix of correlations is not negative by more than this.
+/// Rounding makes an eigenvalue of a correlation matrix negative by no more than this.
 constexpr double kRounding = 1e-6;
-/// So often the prior's weight is doubled at most: down to a standard deviation of 1 %.
+/// Largest number of times that the weight of the prior is doubled. Its standard deviation is then about 1 %.
 constexpr int kDoublings = 13;
 
-/// Weight matrix: inverse of the covariance, floored. Along what was not excited it is next to nothing, so
-/// that the prior decides there.
+/// Returns the weight matrix of the estimate: the inverse of its covariance, with a floor on the standard
+/// deviations. Along directions that were not excited it is nearly zero, so that the prior decides there.
 Eigen::MatrixXd information(const BaseParameters& base, const Estimate& estimate,
                             const ParameterVector& prior) {
   const Eigen::VectorXd size = group_sizes(base, prior);
   Eigen::MatrixXd covariance = estimate.covariance;
   covariance.diagonal() += (kFinest * size).cwiseAbs2();
-  // Deviations range from a millionth of a group's size to a hundred times it, so correlations are inverted.
+  // Standard deviations range from a millionth of a base parameter's size to a hundred times its size.
+  // Therefore the correlation matrix is inverted, not the covariance.
   const Eigen::VectorXd unscale = covariance.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unscale.asDiagonal() * covariance *
                                                              unscale.asDiagonal());
@@ -38,7 +40,7 @@ Eigen::MatrixXd information(const BaseParameters& base, const Estimate& estimate
          eigen.eigenvectors().transpose() * unscale.asDiagonal();
 }
 
-/// min (B theta - estimate)^T C (B theta - estimate) + |A (theta - prior)|^2
+/// Minimises (B theta - estimate)^T C (B theta - estimate) + |A (theta - prior)|^2.
 class Fit {
  public:
   Fit(const BaseParameters& base, const Estimate& estimate, const ParameterVector& prior)
@@ -58,7 +60,7 @@ class Fit {
     return cone_.minimum(seen_ + weight, wanted_ + weight * prior_, {});
   }
 
-  /// Squared distance from the estimate, in its standard deviations.
+  /// Returns the squared distance from the estimate, in units of the estimate's standard deviations.
   double distance(const ParameterVector& theta) const {
     const Eigen::VectorXd off = base_.map * theta - estimate_.theta;
     return off.dot(information_ * off);
@@ -85,9 +87,11 @@ PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimat
         "the full set of arm parameters (theta) cannot be computed, because the logged motion excites the "
         "arm too little; log more motion");
   if (!minimum.changed || estimate.not_excited.empty()) return minimum;
-  // What was not excited costs the weak prior next to nothing, so the step into the valid set would move it
-  // by any amount to save a fraction of a standard deviation elsewhere.
-  // Noise of positions makes the stated deviations too small: then no theta is as near as they ask for.
+  // Parameters that were not excited are held by the weak prior alone. The step into the valid set could
+  // change them by any amount, only to save a fraction of a standard deviation elsewhere. The prior is
+  // therefore strengthened as long as the fit stays near the estimate. Noise in the positions makes the
+  // stated standard deviations too small. The smallest distance is then large itself, so the limit is
+  // relative to it.
   const double nearest = fit.distance(minimum.theta);
   const double allowed = nearest + std::max(nearest, static_cast<double>(base.rank()));
   for (int doublings = 1; doublings <= kDoublings; ++doublings) {

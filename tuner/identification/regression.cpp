@@ -13,21 +13,24 @@
 namespace armtune::internal {
 namespace {
 
-/// Rows that wait for the next factorisation.
+/// Number of rows of a joint that are collected before they are factorised.
 constexpr std::size_t kBlock = 2000;
-/// The rows' filter makes neighbours alike: its autocorrelation has died away after this many rows.
+/// Number of lags whose autocorrelation counts. The rows' filter correlates neighbouring rows; after this
+/// many rows the correlation has died away.
 constexpr std::size_t kLags = 24;
-/// Each pass adds to the residuals' variance what the fit has taken out of them; the third changes nothing.
+/// Each pass corrects the variance of the residuals by the part of the noise that the fit has absorbed. After
+/// the third pass the result no longer changes.
 constexpr int kCovariancePasses = 3;
 constexpr int kWeightIterations = 20;
-/// Standard deviation of the prior, as a multiple of a group's size.
+/// Standard deviation of the prior, as a multiple of a base parameter's size.
 constexpr double kPriorDeviation = 100.0;
-/// A group whose standard deviation is at least this multiple of its size was not excited.
+/// A base parameter whose standard deviation is at least this multiple of its size was not excited.
 constexpr double kUnknown = 10.0;
-/// Noise is taken to be at least this share of a joint's torque: rounding of logs without any.
+/// The noise is assumed to be at least this share of a joint's torque, which covers the rounding of
+/// noise-free logs.
 constexpr double kLeastNoise = 1e-6;
 
-/// The factor under the rows that came after it, sparse.
+/// Returns a sparse matrix with the factor, and below it the rows that were added since the factorisation.
 SparseMatrix stacked(const Eigen::MatrixXd& factor, const std::vector<Eigen::VectorXd>& rows) {
   const Eigen::Index columns = factor.cols();
   std::vector<Eigen::Triplet<double, long>> entries;
@@ -47,8 +50,8 @@ SparseMatrix stacked(const Eigen::MatrixXd& factor, const std::vector<Eigen::Vec
   return matrix;
 }
 
-/// Lags of a short log may outweigh its variances: directions of negative variance are taken for exactly
-/// known.
+/// Replaces negative eigenvalues of W by zero. In a short log, the terms of the lags can outweigh the
+/// variances. Directions with a negative variance then count as exactly known.
 void make_positive(Eigen::MatrixXd& W) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(W);
   if (eigen.eigenvalues().minCoeff() >= 0.0) return;
@@ -56,13 +59,13 @@ void make_positive(Eigen::MatrixXd& W) {
   W = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-/// Flat-top taper (Politis and Romano, 1995): 1 over the first half of the lags, then down to 0. It does not
-/// shorten the correlation that the rows' filter makes.
+/// Returns the flat-top taper (Politis and Romano, 1995): 1 over the first half of the lags, then falling to
+/// 0. It does not shorten the correlation that the rows' filter causes.
 double taper(std::size_t lag) {
   return std::min(1.0, 2.0 - 2.0 * static_cast<double>(lag) / static_cast<double>(kLags + 1));
 }
 
-/// (-theta, 1): (Y, tau) times it is the residual.
+/// Returns (-theta, 1). The residual is the row (Y, tau) times this vector.
 Eigen::VectorXd residual_of(const Eigen::VectorXd& theta) {
   Eigen::VectorXd a(theta.size() + 1);
   a << -theta, 1.0;
@@ -143,7 +146,8 @@ Eigen::MatrixXd Regression::covariance(const Eigen::VectorXd& a, const Eigen::Ve
   for (std::size_t j = 0; j < factor_.size(); ++j) {
     const double weight = std::pow(deviation[static_cast<Eigen::Index>(j)], -2.0);
     const auto Y = [&](std::size_t lag) { return moments_[j][lag].topLeftCorner(rank_, rank_); };
-    // The fit takes a part of the noise out of the residuals: as much as theta is uncertain.
+    // The fit absorbs a part of the noise. The second term adds it again; it follows from the covariance of
+    // theta.
     const auto noise = [&](std::size_t lag) {
       if (pairs_[lag] == 0) return 0.0;
       return autocovariance(j, lag, a) + last.cwiseProduct(Y(lag)).sum() / static_cast<double>(pairs_[lag]);

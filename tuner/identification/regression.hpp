@@ -1,8 +1,9 @@
 #pragma once
-// Estimates an arm's base parameters theta_base by weighted least squares. The data are any number of rows
-// (Y_base, tau), that is, a joint's row of the regressor and its torque. The rows themselves are not stored.
-// One triangular QR factor is stored for each joint, so that the weights of the joints can change without
-// reading the logs again. The moments that the covariance needs are stored as well.
+// Estimates an arm's base parameters theta_base (base_parameters.hpp) by weighted least squares. The data
+// are any number of rows (Y_base, tau), that is, a joint's row of the regressor and its torque. The rows
+// themselves are not stored. One triangular QR factor is stored for each joint, so that the weights of the
+// joints can change without reading the logs again. The moments that the covariance needs are stored as
+// well.
 
 #include <Eigen/Core>
 #include <vector>
@@ -11,13 +12,14 @@ namespace armtune::internal {
 
 struct Estimate {
   Eigen::VectorXd theta;            ///< theta_base (rank)
-  Eigen::MatrixXd covariance;       ///< that of theta_base; the prior's own where the rows determine little
+  Eigen::MatrixXd covariance;       ///< of theta_base; near that of the prior where the rows determine little
   Eigen::VectorXd torque_residual;  ///< RMS per joint (n) [N m, N]
-  std::vector<int> not_excited;  ///< groups that the rows hardly excite, in order: they stay near the prior
-  double condition = 0.0;        ///< condition number of the weighted regressor, columns of unit length
-  long rows = 0;                 ///< number of rows per joint
+  /// Base parameters (0 .. rank - 1, in order) that the rows hardly excite, so that they stay near the prior.
+  std::vector<int> not_excited;
+  double condition = 0.0;  ///< condition number of the weighted regressor, columns of unit length
+  long rows = 0;           ///< number of rows per joint
 
-  /// Returns the standard deviations (rank); infinite for groups that were not excited.
+  /// Returns the standard deviations (rank); infinite for base parameters that were not excited.
   Eigen::VectorXd deviation() const;
 };
 
@@ -38,10 +40,10 @@ class Regression {
   void begin_log() { last_.clear(); }
 
   /// Solves the weighted least squares. The weights of the joints are 1/sigma_j^2, where sigma_j is the RMS
-  /// of joint j's residual; solution and weights are computed in turn until they settle. The prior is so weak
-  /// that it counts only along directions that the rows do not excite. The covariance is the sandwich
-  /// estimator with the residuals' autocorrelation (White, Asymptotic Theory for Econometricians, 1984,
-  /// chapter 6), since rows filtered from the same samples are not independent.
+  /// of joint j's residual. Solution and weights are computed alternately until they converge. The prior is
+  /// so weak that it counts only along directions that the rows do not excite. The covariance is the
+  /// sandwich estimator with the residuals' autocorrelation (White, Asymptotic Theory for Econometricians,
+  /// 1984, chapter 6), since rows filtered from the same samples are not independent.
   Estimate solve(const WeakPrior& prior);
 
  private:

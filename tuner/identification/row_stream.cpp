@@ -10,24 +10,28 @@
 namespace armtune::internal {
 namespace {
 
-/// The first stage lets this many times the cutoff through,
+/// Cutoff of the first filter, as a multiple of the second filter's cutoff.
 constexpr double kWide = 4.0;
-/// at most this share of the sampling rate.
+/// Largest cutoff of the first filter, as a share of the sampling rate.
 constexpr double kWidest = 0.25;
-/// Largest deviation from 1 of the regression of logged on differentiated velocity: friction's drives and
-/// sensors agree within some percent, degrees, signs and columns do not.
+/// Largest deviation from 1 of the regression of logged on differentiated velocity. The velocities of real
+/// drives and sensors agree within a few percent. Those in degrees, with a wrong sign or from a wrong column
+/// do not.
 constexpr double kVelocityMismatch = 0.2;
-/// A joint slower than this [rad/s, m/s] (RMS) says nothing about its velocity's column: what differentiation
-/// makes of the positions' noise would count.
+/// The velocities of a joint slower than this [rad/s, m/s] (RMS) are not checked, because the differentiated
+/// noise of the positions would affect the comparison.
 constexpr double kSlow = 0.1;
-/// Samples per second of a filtered signal, in units of its cutoff: its content ends at 1.5 of it.
+/// Number of samples per second that are kept of a filtered signal, in units of the filter's cutoff. The
+/// signal has no content above 1.5 times the cutoff.
 constexpr double kRate = 4.0;
-/// Columns that go through the second filter beside the rows: position, velocity and acceleration.
+/// Number of columns that pass through the second filter in addition to the rows: position, velocity and
+/// acceleration.
 constexpr int kMotion = 3;
-/// Longest time between samples [s] that a controller's log is likely to have.
+/// Longest time between samples that is likely in a controller's log [s].
 constexpr double kSlowest = 0.05;
 
-/// Names the unit in which the time stamps of a log with so long a period would be likely ones.
+/// Returns a hint at the unit of the time stamps for which the log's period would be a likely one; empty if
+/// there is none.
 std::string time_unit_hint(double period) {
   struct Unit {
     double scale;
@@ -61,8 +65,8 @@ int decimation(double cutoff, double period) {
   return std::max(1, static_cast<int>(1.0 / (kRate * cutoff * period)));
 }
 
-/// Euclidean norm of the weights of one filter after another, the second on every step-th result of the
-/// first.
+/// Returns the Euclidean norm of the weights of two filters in series. The second filter is applied to every
+/// step-th result of the first.
 double norm_of_both(const LowPass& first, const LowPass& second, int step) {
   Eigen::VectorXd weights =
       Eigen::VectorXd::Zero(first.length() + static_cast<Eigen::Index>(step) * 2 * second.half);
@@ -71,12 +75,13 @@ double norm_of_both(const LowPass& first, const LowPass& second, int step) {
   return weights.norm();
 }
 
-/// Positions and torques, and velocities if there are any.
+/// Returns the number of values per sample: positions and torques, and velocities if the log has them.
 Eigen::Index channels(const RobotModel& model, const LogFile& log) {
   return (log.has_velocities() ? 3 : 2) * static_cast<Eigen::Index>(model.n());
 }
 
-/// Every joint's row of the regression and its motion.
+/// Returns the number of values that pass through the second filter: every joint's row of the regression, and
+/// its motion.
 Eigen::Index window_size(const RobotModel& model, const BaseParameters& base) {
   return static_cast<Eigen::Index>(model.n()) * (base.rank() + 1 + kMotion);
 }

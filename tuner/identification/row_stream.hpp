@@ -3,10 +3,10 @@
 // is the regressor and theta_base are the base parameters (base_parameters.hpp).
 //
 // Two zero-phase low-pass filters are applied. The first has a wide band. It turns positions into q, q', q''
-// and torques into tau at a lower rate, and the regressor Y is computed from these. The second has the cutoff
-// of RowOptions and filters every column of Y and tau alike. Both sides of the equation thereby pass the same
-// filter, so that sharp edges, such as those of friction, do no harm (parallel filtering: Gautier, Dynamic
-// identification of robots with power model, 1997).
+// and torques into tau at a lower rate, and the regressor Y is computed from these. The second has the
+// cutoff of RowOptions and filters every column of Y and tau alike. Both sides of the equation thereby pass
+// the same filter, so that sharp edges, such as those of friction, cause no error (parallel filtering:
+// Gautier, Dynamic identification of robots with power model, 1997).
 
 #include <memory>
 
@@ -20,26 +20,27 @@
 namespace armtune::internal {
 
 struct RowOptions {
-  double cutoff = 5.0;  ///< cutoff of the second filter [Hz]: above the motion's frequencies, below noise
+  double cutoff = 5.0;  ///< of the second filter [Hz]; above the motion's frequencies, below the noise's
   double torque_delay = 0.0;  ///< time from a logged torque's time stamp until it acts [s]
 };
 
 class RowStream {
  public:
-  /// All arguments but `options` must outlive the stream. `instants` receives samples of the motion and of
-  /// the torques after both filters. Throws InputError if the cutoff is not above zero, if the log has too
-  /// few samples per second for this cutoff, or if the torque delay is too long for it. A log that is too
-  /// short has no rows.
+  /// All arguments except `options` must outlive the stream. `instants` receives samples of the motion and
+  /// of the torques after both filters. Throws InputError if the cutoff is not above zero, if the log has
+  /// too few samples per second for this cutoff, or if the torque delay is too long for this cutoff. A log
+  /// that is too short gives no rows.
   RowStream(const RobotModel& model, const BaseParameters& base, LogFile& log, const RowOptions& options,
             LogInstants& instants);
 
-  /// Computes the next instant's rows: n x (rank + 1), columns (Y_base, tau). False at the end of the log.
+  /// Computes the next instant's rows: n x (rank + 1), columns (Y_base, tau). Returns false at the end of the
+  /// log.
   bool next(Eigen::MatrixXd& rows);
 
   /// Throws InputError if the log has velocities that are not the derivatives of its positions, which happens
   /// with a wrong unit, sign or column. Must be called after the last row. The logged velocities are used for
-  /// nothing else. They have the noise of one more sensor, or were differentiated from the positions with a
-  /// lag.
+  /// nothing else, because they have the noise of one more sensor, or were differentiated from the positions
+  /// with a lag.
   void check_velocities() const;
 
   /// Returns the number of samples of the log read so far.

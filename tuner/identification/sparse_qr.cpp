@@ -8,7 +8,7 @@
 namespace armtune::internal {
 namespace {
 
-/// SPQR's work space, and everything it hands out, until the end of a factorisation.
+/// Holds SPQR's workspace and its results until the end of a factorisation.
 class Spqr {
  public:
   Spqr() { cholmod_l_start(&common_); }
@@ -19,10 +19,10 @@ class Spqr {
   Spqr(const Spqr&) = delete;
   Spqr& operator=(const Spqr&) = delete;
 
-  /// R of A with its columns in order; returns the rank under the tolerance.
+  /// Computes R of A with the columns in their given order. Returns the rank under the tolerance.
   long factorize(const SparseMatrix& A, double tolerance) {
     columns_ = static_cast<std::size_t>(A.cols());
-    cholmod_sparse view{};  // of Eigen's own arrays, which SPQR reads only
+    cholmod_sparse view{};  // a view of Eigen's own arrays, which SPQR only reads
     view.nrow = static_cast<std::size_t>(A.rows());
     view.ncol = columns_;
     view.nzmax = static_cast<std::size_t>(A.nonZeros());
@@ -41,7 +41,7 @@ class Spqr {
     return rank;
   }
 
-  /// The first `rows` rows of R, dense.
+  /// Returns the first `rows` rows of R as a dense matrix.
   Eigen::MatrixXd dense_R(Eigen::Index rows) const {
     Eigen::MatrixXd R = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(columns_));
     const auto* starts = static_cast<const long*>(R_->p);
@@ -76,7 +76,7 @@ RankRevealed rank_revealing_factor(const SparseMatrix& A, double tolerance) {
   RankRevealed revealed;
   revealed.live.reserve(static_cast<std::size_t>(rank));
   revealed.dead.reserve(static_cast<std::size_t>(A.cols() - rank));
-  // A live column goes one row deeper than those before it; a dead one does not.
+  // A live column reaches one row deeper than all columns before it; a dead column does not.
   Eigen::Index row = 0;
   for (int k = 0; k < static_cast<int>(A.cols()); ++k) {
     const bool live = row < rank && staircase(row, k) != 0.0;

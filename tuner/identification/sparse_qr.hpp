@@ -10,7 +10,7 @@ namespace armtune::internal {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, long>;
 
-/// Returns the upper triangular R (n x n, dense) with R^T R = A^T A, columns in their order; A: m x n, any m.
+/// Returns the upper triangular R (n x n, dense) with R^T R = A^T A, without pivoting. A: m x n, any m.
 Eigen::MatrixXd triangular_factor(const SparseMatrix& A);
 
 /// The columns of A that are independent of those before them, and the columns that are not.
@@ -20,8 +20,8 @@ struct RankRevealed {
   Eigen::MatrixXd R;      ///< rank x n: columns `live` (upper triangular), then `dead`
 };
 
-/// Computes a rank-revealing factorisation with columns in their order. A column is dead if the part of it
-/// that is orthogonal to the live columns before it is shorter than `tolerance` (Heath's rule).
+/// Computes a rank-revealing factorisation that examines the columns in their order. A column is dead if the
+/// part of it that is orthogonal to the live columns before it is shorter than `tolerance` (Heath's rule).
 RankRevealed rank_revealing_factor(const SparseMatrix& A, double tolerance);
 
 }  // namespace armtune::internal

@@ -14,14 +14,14 @@ namespace {
 constexpr double kLeastTorque = 0.005;  ///< share of the effort limit
 constexpr double kUnexplained = 0.5;
 constexpr double kWorseThanFile = 1.2;
-constexpr double kNoticeable = 0.15;  ///< share of a torque that theta may leave in any case
+constexpr double kNoticeable = 0.15;  ///< share of a torque that theta may leave unexplained in any case
 constexpr double kHeavier = 3.0;
 constexpr double kShareOfArm = 0.5;
 constexpr double kOtherArm = 1.8;
 constexpr double kDead =
-    0.05;  ///< share of the torque that the robot file needs; estimated rotors need a third
-constexpr double kFileFails = 0.5;   ///< share of every joint's torque that the robot file leaves
-constexpr double kThetaFails = 0.1;  ///< and theta of some joint's
+    0.05;  ///< share of the torque that the robot file needs; an arm may need a third of an estimated rotor's
+constexpr double kFileFails = 0.5;   ///< check_arm: least share of every torque unexplained by the robot file
+constexpr double kThetaFails = 0.1;  ///< check_arm: least share of some torque unexplained by theta
 
 std::string check_joint(const RobotModel& model, int joint, const Unexplained& rows, double noise,
                         const char* which) {
@@ -39,10 +39,11 @@ std::string check_joint(const RobotModel& model, int joint, const Unexplained& r
       left, effort.unit, effort.name, info.name, which, effort.name, rows.torque[joint], rows.by_file[joint]);
 }
 
-/// A column with hardly anything in it can be explained by any parameters, as noise can.
+/// Returns a doubt if the torque is nearly zero. check_joint does not find this, because parameters can be
+/// fitted to such a torque as they can to noise.
 std::string check_channel(const RobotModel& model, int joint, const Unexplained& rows) {
   const JointInfo& info = model.joints[static_cast<std::size_t>(joint)];
-  const double needed = rows.by_file[joint];  // the robot file's torque itself, where the log has none
+  const double needed = rows.by_file[joint];  // the robot file's torque if the logged torque is zero
   if (needed < kLeastTorque * info.limits.effort || rows.torque[joint] > kDead * needed) return {};
   const EffortWords effort = effort_words(model, joint);
   return fmt::format(
@@ -51,7 +52,8 @@ std::string check_channel(const RobotModel& model, int joint, const Unexplained&
       effort.name, info.name, rows.torque[joint], effort.unit, needed);
 }
 
-/// The geometry of another arm leaves torques that no masses explain.
+/// Returns a doubt if the log may be of another arm. The geometry of another arm causes torques that no
+/// masses explain.
 std::string check_arm(const RobotModel& model, const Identification& found) {
   const Unexplained& rows = found.fitted;
   double least = 1.0, worst = 0.0;

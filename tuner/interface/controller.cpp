@@ -13,7 +13,7 @@
 namespace armtune {
 namespace {
 
-/// A copy, since whoever is given it may keep it.
+/// Returns a copy of the robot, because the receiver may keep it.
 Robot copied(const internal::RobotModel& model) {
   return Robot(std::make_shared<const internal::RobotModel>(model));
 }
@@ -28,7 +28,7 @@ internal::JointVector joint_vector(std::span<const double> values) {
 
 }  // namespace
 
-/// A law of the interface, as the controller has laws.
+/// Wraps a control law of the public interface as a law of armtune's controller.
 class LawInside final : public internal::TorqueLaw {
  public:
   LawInside(const internal::LawSetup& setup, std::unique_ptr<Law> law)
@@ -92,7 +92,7 @@ void LawState::model_torque(const Eigen::Ref<const Eigen::VectorXd>& v,
 }
 
 void register_controller(const ControllerKind& kind) {
-  // Fields refer to their texts for as long as the program runs.
+  // The fields hold pointers to these texts, which must therefore exist until the program ends.
   static std::deque<std::string> texts;
   const auto kept = [](const std::string& text) { return texts.emplace_back(text).c_str(); };
   internal::ControllerKind inside;

@@ -13,11 +13,11 @@
 
 namespace armtune {
 
-/// Returns path and hash of each file as it is now.
+/// Returns the path and the present hash of each file. Empty paths are left out.
 InputFiles input_files(const std::vector<std::string>& paths);
 
-/// Returns the files that the argument was read from: those of a study and of its scenarios, or those of
-/// scenarios alone.
+/// Returns the files that a study and its scenarios, or only scenarios, were read from. An entry is null if
+/// no file matches that study or scenario, because it was changed or not read from files.
 std::vector<std::shared_ptr<const InputFiles>> files_of(const Study& study);
 std::vector<std::shared_ptr<const InputFiles>> files_of(const std::vector<Scenario>& scenarios);
 

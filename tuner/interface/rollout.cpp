@@ -74,7 +74,7 @@ void require_workers(int workers) {
   }
 }
 
-/// As internal::simulate refuses them.
+/// Throws InputError if two scenarios have the same name, as internal::simulate does.
 static void require_names(const std::vector<Scenario>& scenarios) {
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {

@@ -27,7 +27,7 @@ std::vector<internal::Scenario> internal_of(const std::vector<Scenario>& scenari
 
 /// Throws InputError if there is no scenario, or if the gains are not valid for the arm of one of them.
 void require_fit(const Gains& gains, const std::vector<Scenario>& scenarios);
-/// Throws InputError if the number of threads is not one to 1024.
+/// Throws InputError if the number of threads is not between 1 and 1024.
 void require_workers(int workers);
 
 inline const std::atomic<bool> never_stopped{false};

@@ -13,7 +13,7 @@
 namespace armtune {
 namespace {
 
-constexpr double kMostPeriods = 1e8;  ///< as in a file
+constexpr double kMostPeriods = 1e8;  ///< same limit as in a scenario file
 
 template <class Change>
 std::shared_ptr<const internal::Scenario> changed(const internal::Scenario& scenario, Change change) {

@@ -19,7 +19,7 @@ std::shared_ptr<const internal::Study> changed(const internal::Study& study, Cha
   return std::make_shared<const internal::Study>(std::move(copy));
 }
 
-/// Scenarios as the files have them that the study was just read from.
+/// Returns the scenarios of a study that was just read from files, together with the hashes of their files.
 std::vector<Scenario> read_scenarios(const internal::Study& study) {
   std::vector<Scenario> scenarios;
   for (const internal::Scenario& scenario : study.scenarios) {
@@ -50,7 +50,7 @@ Study Study::parse(const std::string& yaml, const StudyInputs& inputs) {
     parts.start = inputs.start->inside();
     parts.joints = inputs.start->joints();
   }
-  const auto names = std::make_shared<std::vector<std::string>>();  // of the scenarios, once they are known
+  const auto names = std::make_shared<std::vector<std::string>>();  // names of the scenarios; filled in below
   if (inputs.objective) {
     parts.objective = [objective = inputs.objective,
                        names](const std::vector<internal::RolloutResult>& results) {

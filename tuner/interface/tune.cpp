@@ -12,7 +12,7 @@
 namespace armtune {
 namespace {
 
-/// Keeps every evaluation.
+/// An observer that keeps every evaluation.
 class Keeping : public Observing<internal::TuneObserver> {
  public:
   using Observing::Observing;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view kFormat = "armtune journal 1";
 constexpr std::string_view kHeaderEnd = "records";
-/// Kind of the record that some minutes are over.
+/// For each time budget, the kind of the record which says that the budget is used up.
 constexpr std::array<std::pair<Minutes, std::string_view>, 3> kTimeUp = {
     {{Minutes::kRun, "time-up"}, {Minutes::kSearch, "search-time-up"}, {Minutes::kGlobal, "global-time-up"}}};
 
@@ -36,7 +36,7 @@ std::string_view kind_of(Minutes minutes) {
   return kTimeUp[static_cast<std::size_t>(minutes)].second;
 }
 
-/// Cuts the word before the first tab off the front.
+/// Removes the word before the first tab, and the tab, from `rest`. Returns the word.
 std::string_view first_word(std::string_view& rest) {
   const std::size_t tab = rest.find('\t');
   const std::string_view word = rest.substr(0, tab);
@@ -112,7 +112,7 @@ std::unique_ptr<Journal> Journal::begin(const std::string& path, const RunHeader
   std::unique_ptr<Journal> journal(new Journal(path, AppendFile::Open::kNew, 0.0));
   try {
     journal->file_.append(text);
-  } catch (...) {  // half a header would keep the folder from being used again
+  } catch (...) {  // with half a header, the folder could not be used again
     std::remove(path.c_str());
     throw;
   }
@@ -122,7 +122,8 @@ std::unique_ptr<Journal> Journal::begin(const std::string& path, const RunHeader
 
 std::unique_ptr<Journal> Journal::resume(const std::string& path, const RunHeader& now, std::string& warning,
                                          double patience) {
-  // Read once before it is opened to write, so that what is no journal is said to be none.
+  // The header is read before the file is opened for writing, so that a file that is not a journal is
+  // refused.
   read_run_header(path);
   std::unique_ptr<Journal> journal(new Journal(path, AppendFile::Open::kContinue, patience));
   warning = journal->read(now);
@@ -142,7 +143,7 @@ std::string Journal::read(const RunHeader& now) {
                     "start a new run with --out",
                     other, where_copies_are(folder)));
   }
-  long damaged = 0;  // number of the first damaged line, none yet
+  long damaged = 0;  // number of the first damaged line; 0: none yet
   long damaged_place = 0;
   long records = 0;
   const auto refuse = [&](const std::string& what) {
@@ -220,7 +221,7 @@ void Journal::write(const std::string& payload) {
   const std::string line = checked_line(payload);
   try {
     file_.append(line);
-  } catch (...) {  // half a line in the middle would be damage for whoever reads on
+  } catch (...) {  // otherwise later lines would follow an incomplete one
     file_.truncate(size_);
     throw;
   }

@@ -1,7 +1,7 @@
 #pragma once
-// The journal of a run, stored in journal.txt. It keeps every finished evaluation, so that a run that was
-// killed resumes where it stopped. Each line begins with a checksum (16 hexadecimal digits) of the rest of
-// the line.
+// Writes and reads the journal of a run, journal.txt. It keeps every finished evaluation, so that a run that
+// was killed can be resumed where it stopped. Each line begins with a checksum (16 hexadecimal digits) of the
+// rest of the line.
 
 #include <cstdint>
 #include <map>
@@ -26,17 +26,17 @@ class Journal {
   static std::unique_ptr<Journal> begin(const std::string& path, const RunHeader& header);
 
   /// Opens a journal to continue it. If the run was killed while it wrote, the incomplete last line is cut
-  /// off, and `warning` reports it. patience: how long to wait if another process has the journal open for
-  /// writing [s]. Throws InputError if the file cannot be read, a line is damaged (naming the record),
-  /// another process is writing the file, or `now` differs from the header in the journal (naming what
-  /// differs).
+  /// off, and `warning` reports this. now: header of the resumed run. patience: how long to wait if another
+  /// process has the journal open for writing [s]. Throws InputError if the file cannot be read, if a line
+  /// is damaged (naming the record), if another process is writing the file, or if `now` differs from the
+  /// header in the journal (naming what differs).
   static std::unique_ptr<Journal> resume(const std::string& path, const RunHeader& now, std::string& warning,
                                          double patience = 0.0);
 
   /// Returns the record with this number if it exists. Throws InputError if the file was changed meanwhile.
   std::optional<JournalRecord> find(std::uint64_t number) const;
   std::size_t records() const { return places_.size(); }
-  /// Appends a record and writes it to disk. Throws FailedError if the disk refuses it.
+  /// Appends a record and writes it to disk. Throws FailedError if the disk refuses the record.
   void append(const JournalRecord& record);
 
   /// Returns the number of the evaluation that was next when this time budget was used up; nothing if the

@@ -14,7 +14,7 @@ namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kDigits = 16;
-constexpr std::size_t kMaxLine = std::size_t{64} << 20;  // a record of 1,000 scenarios takes one
+constexpr std::size_t kMaxLine = std::size_t{64} << 20;  // 64 MB; a record of 1,000 scenarios takes 1 MB
 
 std::string checksum(std::string_view payload) {
   Fnv1a hash;
@@ -63,7 +63,7 @@ std::optional<std::string_view> JournalLines::payload() const {
   return whole_ ? payload_of(line_) : std::nullopt;
 }
 
-/// std::getline would fill the memory with a line that never ends.
+/// Reads a line. std::getline would fill the memory with a line that never ends.
 void JournalLines::read_line() {
   std::streambuf& bytes = *file_.rdbuf();
   for (int byte = bytes.sbumpc(); byte != std::char_traits<char>::eof(); byte = bytes.sbumpc()) {

@@ -1,5 +1,6 @@
 #pragma once
-// The lines of a journal, each with a checksum (16 hexadecimal digits) of its text, and a blank between them.
+// Writes and reads the lines of a journal. Each line is a checksum (16 hexadecimal digits) of a text, then a
+// blank, then the text.
 
 #include <fstream>
 #include <optional>
@@ -8,7 +9,7 @@
 
 namespace armtune::internal {
 
-/// Returns the text with its checksum in front and a line end behind.
+/// Returns the line for a text, with its checksum and a line end.
 std::string checked_line(std::string_view payload);
 
 /// Returns the text of a line without its checksum; nothing if the checksum is wrong.
@@ -37,7 +38,7 @@ class JournalLines {
   std::string path_;
   std::ifstream file_;
   std::string line_;
-  bool whole_ = false;  ///< the line has its end
+  bool whole_ = false;  ///< true if the line has its line end
   long place_ = 0;
   long number_ = 0;
 };

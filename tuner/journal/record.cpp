@@ -16,7 +16,7 @@ std::string joined(const double* begin, const double* end) {
   return text;
 }
 
-/// Goes through a line field by field.
+/// Reads a line field by field.
 class Fields {
  public:
   explicit Fields(std::string_view line) : rest_(line) {}

@@ -1,6 +1,6 @@
 #pragma once
-// One finished piece of a run's work, stored as one line of its journal: an evaluation of a search, or the
-// rollouts of one random arm of a Monte Carlo analysis (a sample).
+// Converts records of a run to lines of its journal, and back. A record is one finished piece of the run's
+// work: an evaluation of a search, or the rollouts of one random arm of a Monte Carlo analysis (a sample).
 
 #include <cstdint>
 #include <string>
@@ -14,15 +14,16 @@ namespace armtune::internal {
 struct JournalRecord {
   std::uint64_t number = 0;  ///< number of the evaluation or sample, from 0
   std::string phase;
-  double seconds = 0.0;                ///< wall time of the run when it was finished [s]
+  double seconds = 0.0;                ///< wall time of the run when the work was finished [s]
   std::vector<double> x;               ///< search coordinates; empty for a sample
   std::vector<RolloutResult> results;  ///< one per scenario
 };
 
-/// Returns the record as one line without its end. Numbers read back bit-identical.
+/// Returns the record as one line without a line end. Numbers read back bit-identical, except the wall time,
+/// which is rounded to milliseconds.
 std::string to_line(const JournalRecord& record);
 
-/// Reads a record. Throws std::invalid_argument with the reason.
+/// Reads a record. Throws std::invalid_argument with the reason if the line is not a record.
 JournalRecord record_from_line(std::string_view line);
 
 /// Convert any text into one word without tab or line end, and back.

@@ -17,7 +17,7 @@ std::string beginning(const std::string& line) {
   return one_line(line.size() <= kLongestLine ? line : line.substr(0, kLongestLine) + "...");
 }
 
-/// The first lines of two texts that differ; a text that ends first gives "(nothing)".
+/// Returns the first lines in which two texts differ. A text that ends first gives "(nothing)".
 std::pair<std::string, std::string> first_difference(const std::string& a, const std::string& b) {
   std::istringstream lines_a(a);
   std::istringstream lines_b(b);
@@ -51,7 +51,8 @@ std::string differences(const RunHeader& was, const RunHeader& is,
     if (const auto copy = copy_of ? copy_of(before) : std::nullopt)
       text += fmt::format(" (the original content is in {})", *copy);
   };
-  // By name and value: a name may stand more than once. What is told of is in one of the two alone.
+  // Entries are compared by name and value, because a name may occur more than once. Only entries that one of
+  // the two headers lacks are reported.
   using Identity = decltype(RunHeader::identity);
   const auto has = [](const Identity& all, const auto& entry) {
     return std::find(all.begin(), all.end(), entry) != all.end();

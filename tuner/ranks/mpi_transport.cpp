@@ -1,4 +1,4 @@
-// Transport over MPI's C interface: the only file that sees mpi.h.
+// Implements the transport with MPI's C interface. No other file includes mpi.h.
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -22,8 +22,8 @@ void check(int code, const char* what) {
   if (code != MPI_SUCCESS) throw FailedError(fmt::format("MPI: {} failed with code {}", what, code));
 }
 
-/// Watches a call that returns only when all ranks have made it. Rank 0 speaks first; a rank that no launcher
-/// ends after that ends itself.
+/// Watches a call that returns only when all ranks have made it. Rank 0 reports and gives up first. If the
+/// launcher does not end another rank then, that rank ends itself.
 CallWatch watch_all(const Notice& notice, const std::string& verb, double limit) {
   constexpr double kRankZeroFirst = 5.0;
   const RankPlace place = rank_place();
@@ -45,8 +45,9 @@ CallWatch watch_all(const Notice& notice, const std::string& verb, double limit)
       }};
 }
 
-/// One MPI call at a time, from any thread (MPI_THREAD_SERIALIZED). A blocking receive of Open MPI would keep
-/// a processor busy: every call here returns at once, and who waits sleeps.
+/// Makes one MPI call at a time, from any thread (MPI_THREAD_SERIALIZED). Sending and receiving return at
+/// once, and a caller that waits sleeps in between, because a blocking receive of Open MPI keeps a processor
+/// busy.
 class MpiTransport final : public Transport {
  public:
   explicit MpiTransport(Notice notice) : notice_(std::move(notice)) {
@@ -55,7 +56,7 @@ class MpiTransport final : public Transport {
       const CallWatch watch = watch_all(notice_, "start", kStartSeconds);
       check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided), "MPI_Init_thread");
     }
-    // As codes, so that what fails is said before the ranks are ended.
+    // Errors are returned as codes, so that the failure is reported before the ranks are ended.
     check(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
     check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_), "MPI_Comm_rank");
     check(MPI_Comm_size(MPI_COMM_WORLD, &size_), "MPI_Comm_size");
@@ -126,7 +127,7 @@ class MpiTransport final : public Transport {
   int rank_ = 0;
   int size_ = 1;
   std::mutex mutex_;
-  std::list<Sent> sent_;  ///< not yet taken by MPI; a list, since MPI keeps addresses
+  std::list<Sent> sent_;  ///< messages that MPI still reads; in a list, so that their addresses stay valid
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// In place of mpi_transport.cpp where armtune is built without MPI.
+// Replaces mpi_transport.cpp if armtune is built without MPI.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
-// A clock and a sleep function for loops that wait for a message. With them, polling does not keep a
-// processor busy.
+// Provides a clock and a sleep function for loops that wait for a message, so that such a loop does not keep
+// a processor busy.
 
 #include <algorithm>
 #include <chrono>
@@ -27,7 +27,7 @@ class RunningTime {
   double seconds_ = 0.0;
 };
 
-/// A wait that begins with the construction of the object.
+/// One wait for a message. It begins with the construction of the object.
 class Patience {
  public:
   /// Returns the time waited so far [s], as RunningTime counts it.

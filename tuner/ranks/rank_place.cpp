@@ -25,7 +25,8 @@ std::optional<int> number(const char* variable) {
 }  // namespace
 
 RankPlace rank_place() {
-  // Open MPI's mpirun; srun with PMI-2 and with PMIx, which leaves the number of tasks to Slurm.
+  // Variables of Open MPI's mpirun, and of srun with PMI-2 and with PMIx. With PMIx the number of tasks is in
+  // a variable of Slurm.
   struct Names {
     const char* rank;
     const char* size;

@@ -27,8 +27,8 @@ using Notice = std::function<void(const std::string&)>;
 
 // Times for which rank 0 waits for another rank [s]. Time in which rank 0 itself is stopped does not count.
 constexpr double kSayAfter = 10.0;       ///< wait after which the user gets a message, once per rank
-constexpr double kStartSeconds = 120.0;  ///< longest wait until it has started and read the study
-constexpr double kEndSeconds = 10.0;     ///< longest wait until it has ended its work
+constexpr double kStartSeconds = 120.0;  ///< longest wait until a rank has started and read the study
+constexpr double kEndSeconds = 10.0;     ///< longest wait until a rank has ended its work
 
 /// A connection to the other ranks. It can be called from any thread. Only end() waits for another process.
 class Transport {

@@ -1,7 +1,8 @@
 #pragma once
-// Declarations of types that are stored as JSON. A type is declared once: its function `declare` names each
-// member with its value and its meaning. Three visitors use this function. JsonWriter writes a value as JSON
-// text. JsonReader reads it back. TypePrinter prints the interface for TypeScript code that reads the text.
+// Declares the members of types that are stored as JSON. Each type has one function `declare`, which names
+// each member with its value and its meaning. Three visitors use this function. JsonWriter writes a value as
+// JSON text. JsonReader reads it back. TypePrinter prints the interface for TypeScript code that reads the
+// text.
 //
 //   struct Sample {
 //     long number = 0;
@@ -31,7 +32,7 @@ enum class Presence {
   kAlways,
   kIfAny,   ///< left out if it is empty
   kOrNull,  ///< NaN and infinity become null, also in lists; such a member is never read back
-  kLater    ///< always written, but missing in files of older versions
+  kLater    ///< always written, but may be missing in files of older versions
 };
 
 using Words = std::initializer_list<const char*>;

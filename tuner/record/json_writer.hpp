@@ -38,8 +38,8 @@ class JsonWriter {
   bool separate_ = false;
 };
 
-/// Appends a value to a JSON text. A type that is neither declared nor listed in declaration.hpp needs its
-/// own function `write`.
+/// Appends a value to a JSON text. A type that is neither declared nor one of the kinds of members that
+/// declaration.hpp lists needs its own function `write`.
 template <typename T>
 void write(std::string& out, const T& value) {
   if constexpr (std::is_same_v<T, bool>) {

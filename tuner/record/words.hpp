@@ -1,6 +1,6 @@
 #pragma once
-// Words that armtune writes into cells of CSV files and compares when it reads them again, for example for a
-// report. Each is defined only here.
+// Defines the words that armtune writes into cells of CSV files, and compares when it reads them again, for
+// example for a report. Each word is defined only here.
 
 namespace armtune::internal::kept_words {
 
@@ -14,7 +14,8 @@ inline constexpr const char* kDistanceToPart = "distance to part ";  ///< follow
 inline constexpr const char* kDistanceToFloor = "distance to the floor";
 inline constexpr const char* kDistanceBetweenLinks = "distance between links";
 
-/// Outcomes of an event, and of the plan that it is compared with, in yardstick.csv.
+/// Outcomes in yardstick.csv: of an event of a rollout, such as a lap of the path, and of the best motion
+/// that was planned for comparison.
 inline constexpr const char* kAlreadyThere = "already there";
 inline constexpr const char* kThereAtOnce = "there at once";
 inline constexpr const char* kInfeasible = "infeasible";

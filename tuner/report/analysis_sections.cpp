@@ -1,4 +1,4 @@
-// What comes after a search: sensitivity and margins.
+// The sections with the analyses after a search: sensitivity and margins.
 
 #include <fmt/format.h>
 
@@ -26,8 +26,7 @@ std::vector<Sensitivity> sensitivity_of(const CsvTable& table) {
 
 namespace {
 
-/// "1.27"; "≥ 100" or "≤ 10" where nothing failed on the way from the nominal value; "none" where not even
-/// that stands.
+/// Returns, for example, "1.27"; "≥ 100" or "≤ 10" if no value failed; "none" if the nominal value fails.
 std::string shown_margin(double nominal, double stands, double fails) {
   if (std::isnan(stands)) return "none";
   const char* bound = !std::isnan(fails) ? "" : stands < nominal ? "≤ " : "≥ ";

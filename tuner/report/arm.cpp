@@ -10,7 +10,7 @@
 namespace armtune::internal::report {
 namespace {
 
-/// Of all meshes of an arm: 48 bytes of text each, 1.4 MB.
+/// Largest number of triangles in all meshes of an arm. Each takes 48 bytes of text, together 1.4 MB.
 constexpr std::size_t kMostTriangles = 30000;
 
 Pose pose_of(const Mat3& R, const Vec3& p) {
@@ -29,7 +29,7 @@ std::vector<double> size_of(const Shape& shape) {
   }
 }
 
-/// Capsule from one point to another in the frame of `joint`; a sphere where they are one.
+/// Returns a capsule from one point to another in the frame of `joint`, or a sphere if the points coincide.
 ArmShape limb(int joint, const Vec3& from, const Vec3& to, double radius) {
   ArmShape shape;
   shape.joint = joint;
@@ -46,7 +46,8 @@ ArmShape limb(int joint, const Vec3& from, const Vec3& to, double radius) {
   return shape;
 }
 
-/// Nothing for a shape without size, and a mesh that cannot be loaded, or has more triangles than are left.
+/// Returns nothing for a shape without size, and for a mesh that cannot be loaded or has more triangles than
+/// are left.
 std::optional<ArmShape> drawn(const Shape& shape, const std::string& urdf, std::size_t& triangles_left) {
   if (shape.kind == ShapeKind::kNoSize) return std::nullopt;
   ArmShape result{shape.body, pose_of(shape.R_BS, shape.p_BS), shape.kind, size_of(shape), {}};
@@ -67,8 +68,8 @@ void add_shapes(const RobotModel& model, Arm& arm) {
         std::find_if(begin, shapes.end(), [begin](const Shape& s) { return s.link != begin->link; });
     std::size_t found = 0;
     std::size_t failed = 0;
-    // What is to be seen is often of a kind that cannot be loaded, with a simpler body for collisions beside
-    // it.
+    // Visual shapes often are meshes of a kind that cannot be loaded. Then the simpler collision shapes are
+    // drawn.
     for (const bool collision : {false, true}) {
       for (auto shape = begin; shape != end; ++shape) {
         if (shape->collision != collision) continue;
@@ -83,7 +84,8 @@ void add_shapes(const RobotModel& model, Arm& arm) {
   }
 }
 
-/// From every joint whose link has no shape to the next one, as thick as an industrial arm's wrist is.
+/// Adds a capsule from every joint whose link has no shape to the next joint. It is as thick as the wrist of
+/// an industrial arm.
 void add_limbs(double reach, Arm& arm) {
   constexpr double kThickness = 0.04;  // of the reach
   const int n = static_cast<int>(arm.joints.size());

@@ -75,9 +75,9 @@ struct Arm {
 };
 
 /// Returns the arm with its shapes from the URDF. A link has its visual shapes, or its collision shapes if no
-/// visual shape can be drawn. Meshes that cannot be loaded are left out. An arm has a largest number of
-/// triangles, and meshes beyond it are left out too. A moving link without any shape gets capsules between
-/// joint origins.
+/// visual shape can be drawn. Meshes that cannot be loaded are left out. The number of triangles of an arm is
+/// limited, and meshes beyond this limit are left out too. A moving link without any shape gets capsules
+/// between joint origins.
 Arm arm_of(const RobotModel& model);
 
 /// Removes the meshes, and draws links that have no other shape as capsules. Returns by how many bytes this

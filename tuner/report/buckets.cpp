@@ -30,7 +30,7 @@ std::vector<double> Buckets::extremes(std::span<const double> column) const {
   for (std::size_t b = 0; b < count_; ++b) {
     double earlier = std::numeric_limits<double>::quiet_NaN();  // NaN until a finite value was seen
     double later = earlier;
-    bool rising = true;  // whether the smallest came before the largest
+    bool rising = true;  // true if the smallest came before the largest
     for (std::size_t r = first_row(b); r < first_row(b + 1); ++r) {
       const double value = column[r];
       if (!std::isfinite(value)) continue;

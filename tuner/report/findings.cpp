@@ -19,7 +19,7 @@ bool failed(const Table& table, std::size_t set) {
   return set < table.status.size() && !table.status[set].empty() && table.status[set] != "completed";
 }
 
-/// Both in as many digits as it takes to tell them apart.
+/// Returns both numbers with as many digits as are needed to tell them apart.
 std::pair<std::string, std::string> told_apart(double a, double b) {
   constexpr int kDigits[] = {4, 6, 9, 17};
   std::pair<std::string, std::string> texts;

@@ -11,8 +11,8 @@
 
 namespace armtune::internal::report {
 
-/// The change of a metric from the first gain set to another one. Scenarios count in which both values are
-/// positive.
+/// The change of a metric from the first gain set to another one. Only scenarios in which both values are
+/// positive count.
 struct Change {
   Metric metric = Metric::kPositionMax;
   double ratio = 1.0;  ///< value of the other set divided by that of the first; geometric mean over scenarios
@@ -54,8 +54,8 @@ std::vector<std::string> failures(const std::vector<Table>& tables, std::size_t 
 std::vector<std::string> violations(const std::vector<Table>& tables, const std::vector<StudyLimit>& limits,
                                     std::size_t set);
 
-/// Returns the limits that every arm has: on joint velocity, joint position and joint effort. They hold in
-/// addition to the limits of a study.
+/// Returns the arm's own limits: on joint velocity, position, effort and acceleration. They hold in addition
+/// to the limits of a study.
 std::vector<StudyLimit> limits_of_arm();
 
 /// Returns the failures followed by the violations.

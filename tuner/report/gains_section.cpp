@@ -1,4 +1,4 @@
-// Gains before and after, from each set's gains.yaml.
+// The section with the gains before and after, from each set's gains.yaml.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// In place of the page where it is not built in.
+// Replaces the page if armtune is built without it.
 
 #include "tuner/report/page.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // The HTML page that shows a report. The page is built from web/ with Node, and compiled into armtune as a
-// text. To make a report, armtune inserts the run's data into this text.
+// string. To make a report, armtune inserts the run's data into this string.
 
 #include <string>
 #include <string_view>

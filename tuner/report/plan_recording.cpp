@@ -12,7 +12,7 @@
 namespace armtune::internal::report {
 namespace {
 
-/// What a joint does, with its unit where it turns and where it slides.
+/// A quantity of a joint, with its unit for a joint that turns and for one that slides.
 struct Quantity {
   const char* name;
   const char* turning;
@@ -24,7 +24,7 @@ constexpr Quantity kQuantities[] = {{"position", "rad", "m"},
                                     {"jerk", "rad/s^3", "m/s^3"},
                                     {kept_words::kTorque, "N m", "N"}};
 
-/// "joint_torque", "slide_torque": units differ, and so plots do.
+/// Returns a plot such as "joint_torque" or "slide_torque". They are separate because their units differ.
 std::string joint_group(bool slides, const std::string& quantity) {
   return (slides ? "slide_" : "joint_") + quantity;
 }
@@ -36,7 +36,7 @@ bool slides(const Arm* arm, const std::string& joint) {
   return found != arm->joints.end() && found->prismatic;
 }
 
-/// Plot and column in which a limit is drawn.
+/// Sets the plot and the column in which a limit is drawn.
 void place(PlanLimit& limit, const Arm* arm) {
   if (limit.limit == kept_words::kToolPath) {
     limit.group = "position_error";
@@ -57,7 +57,7 @@ void place(PlanLimit& limit, const Arm* arm) {
   }
 }
 
-/// "8.01:8.05 8.2:8.21", counted from `start`.
+/// Reads time intervals such as "8.01:8.05 8.2:8.21", and counts them from `start`.
 std::vector<std::pair<double, double>> stretches(const std::string& text, double start) {
   std::vector<std::pair<double, double>> found;
   std::istringstream words(text);
@@ -80,7 +80,7 @@ std::vector<std::pair<double, double>> stretches(const std::string& text, double
 
 std::string limit_words(const std::string& limit, const std::string& part) {
   if (part.empty() || limit == kept_words::kGaze || limit == kept_words::kPathCoordinate)
-    return limit;  // there is one only
+    return limit;  // there is only one
   return limit + (limit == kept_words::kToolPath ? " along " : " of ") + part;
 }
 

@@ -19,11 +19,11 @@
 namespace armtune::internal::report {
 namespace {
 
-constexpr std::size_t kMostNamed = 2;     // in the sentence
-constexpr double kBeyond = 1.001;         // of a limit: what is worth a word
-constexpr double kReplaySamples = 250.0;  // of a motion of any length, where it has as many rows
+constexpr std::size_t kMostNamed = 2;     // limits named in the sentence
+constexpr double kBeyond = 1.001;         // share of a limit that is mentioned
+constexpr double kReplaySamples = 250.0;  // per replay, if there are as many rows
 
-/// Entries of run.yaml that say how the plan was solved, in a reader's words.
+/// Entries of run.yaml about the solution of the plan, with the words that the page shows.
 constexpr std::pair<const char*, const char*> kFigures[] = {
     {"phases", "phases"},
     {"knots", "knots of the time grid"},
@@ -62,7 +62,7 @@ class PlanAssembly {
   }
 
  private:
-  /// What one file spoils is left out alone, and said.
+  /// Reads one part. If its file cannot be used, only this part is left out, and the reason is listed.
   template <typename Read>
   void part(Read read) {
     try {
@@ -72,7 +72,7 @@ class PlanAssembly {
     }
   }
 
-  /// Throws InputError where it is missing or leads elsewhere.
+  /// Throws InputError if the file is missing or outside the folder.
   std::string file(const std::string& name) const { return run_file(folder_, name); }
 
   std::string entry(const std::string& key) const { return run_.contains(key) ? run_.at(key) : ""; }
@@ -130,7 +130,7 @@ class PlanAssembly {
     const std::size_t joints = arm() == nullptr ? 0 : arm()->joints.size();
     const std::size_t series = 7 + 2 * joints + 3 * shown.obstacles.size();
     Resolution resolution = resolution_for(room, motion.header().size(), series, duration);
-    // A short motion is shown in as many samples as a long one, where it has as many rows.
+    // A short motion has as many samples as a long one, if it has as many rows.
     if (duration > 0.0 && duration < 10.0)
       resolution.replay_rate = std::max(resolution.replay_rate, kReplaySamples / duration);
     Run run = plan_run_of(motion, scene ? &*scene : nullptr, arm(), resolution);
@@ -139,7 +139,7 @@ class PlanAssembly {
     shown.runs.push_back(std::move(run));
   }
 
-  /// "held back by velocity of wrist_2_joint and torque of elbow_joint"
+  /// Returns, for example, "held back by velocity of wrist_2_joint, torque of elbow_joint".
   static std::string held_back(const std::vector<PlanLimit>& limits) {
     std::string words;
     std::size_t named = 0;
@@ -153,7 +153,7 @@ class PlanAssembly {
     return words;
   }
 
-  /// What the limits that hold at the knots only do between them.
+  /// Returns a sentence about limits between the knots, where they are not enforced.
   static std::string between(const std::vector<PlanLimit>& limits) {
     const PlanLimit* worst = nullptr;
     for (const PlanLimit& limit : limits) {

@@ -9,7 +9,7 @@
 namespace armtune::internal::report {
 namespace {
 
-/// A scalar as it stands in the file.
+/// Returns a scalar as it is written in the file.
 std::string shown(const yaml::Node& node) {
   if (node.kind() == yaml::Node::Kind::kNull) return {};
   try {

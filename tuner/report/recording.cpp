@@ -15,7 +15,7 @@ namespace armtune::internal::report {
 namespace {
 
 constexpr double kBytesPerValue = 8.0 / 3.0;  // two bytes in base64
-constexpr double kOverhead = 120.0;           // of a series: name, group, unit, limits
+constexpr double kOverhead = 120.0;           // bytes per series: name, group, unit, limits
 constexpr double kLeastBuckets = 50.0;
 constexpr double kLeastSamples = 100.0;
 constexpr std::size_t kMostChanges = 2000;
@@ -24,7 +24,8 @@ std::string joint_column(const ArmJoint& joint, const char* what) {
   return "joint/" + joint.name + "/" + what;
 }
 
-/// |torque| over its limit as commanded; in older files, which have no column of it, after saturation.
+/// Returns |commanded torque| / limit. Older files have no such column; then uses the torque after
+/// saturation.
 std::vector<double> torque_ratio(const NumberTable& rollout, const ArmJoint& joint) {
   if (const auto ratio = rollout.find(joint_column(joint, "torque_ratio"))) return rollout.numbers(*ratio);
   std::vector<double> values = rollout.numbers(rollout.column(joint_column(joint, "torque")));
@@ -37,14 +38,14 @@ void add_joint_columns(const NumberTable& rollout, const Arm& arm, RunBuilder& b
     const std::string ratio = joint_column(joint, "velocity_ratio");
     builder.add(ratio, "velocity_ratio", "1", rollout.numbers(rollout.column(ratio)));
     builder.add(joint_column(joint, "torque_ratio"), "torque_ratio", "1", torque_ratio(rollout, joint));
-    // Of scenarios with a plan.
+    // Only scenarios with a plan have this column.
     const std::string error = joint_column(joint, "error");
     if (const auto c = rollout.find(error))
       builder.add(error, "joint_error", joint.prismatic ? "m" : "rad", rollout.numbers(*c));
   }
 }
 
-/// The controller's state in a row. Throws InputError naming file and line.
+/// Returns the controller's state in a row. Throws InputError naming file and line.
 int state_in(const NumberTable& rollout, std::size_t row, std::size_t column) {
   const double state = rollout.number(row, column);
   const bool known =
@@ -71,7 +72,7 @@ void add_states(const NumberTable& rollout, const std::vector<double>& time, Run
   }
 }
 
-/// The changes of state that are left where those to states shorter than this [s] are taken out.
+/// Returns the changes of state without those to states that last less than `shortest` [s].
 std::vector<StateChange> longer_than(double shortest, const std::vector<StateChange>& states, double end) {
   std::vector<StateChange> kept;
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -82,7 +83,7 @@ std::vector<StateChange> longer_than(double shortest, const std::vector<StateCha
   return kept;
 }
 
-/// So that a run that changes between states in every row does not fill the page with that.
+/// Leaves out short states and slerps, so that a run with very many changes does not fill the page.
 void thin_changes(Run& run) {
   double shortest = 0.0;
   const std::vector<StateChange> states = run.states;
@@ -92,7 +93,7 @@ void thin_changes(Run& run) {
     run.states = longer_than(shortest, states, run.end);
     run.slerps = slerps;
     std::erase_if(run.slerps, [shortest](const auto& s) { return s.second - s.first < shortest; });
-    if (shortest > run.end) break;  // what is left began and ended at one time
+    if (shortest > run.end) break;  // the rest has no duration
   }
   if (run.slerps.size() > kMostChanges) run.slerps.clear();
   run.shortest_state = shortest;
@@ -109,7 +110,7 @@ std::size_t least_bytes(std::size_t columns, std::size_t replay_series) {
 Resolution resolution_for(std::size_t bytes, std::size_t columns, std::size_t replay_series, double seconds) {
   constexpr double kMostBuckets = 700.0;
   constexpr double kMostRate = 25.0;  // [Hz]
-  constexpr double kForPlots = 0.75;  // of the bytes, where the plots can use them
+  constexpr double kForPlots = 0.75;  // largest share of the bytes
   const double all = static_cast<double>(std::max<std::size_t>(1, columns));
   const double values = (kForPlots * static_cast<double>(bytes) / all - kOverhead) / kBytesPerValue;
   const double buckets = std::floor(std::clamp(values / 2.0, kLeastBuckets, kMostBuckets));

@@ -11,8 +11,8 @@ namespace {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
-/// Rows nearest to k dt, for every k up to the last row's time: one at least. time: not falling, at least
-/// one.
+/// Returns the row nearest to each time k dt, up to the time of the last row. time: at least one, not
+/// decreasing.
 std::vector<std::size_t> sampled_rows(const std::vector<double>& time, double dt) {
   std::vector<std::size_t> rows;
   std::size_t r = 0;
@@ -32,7 +32,7 @@ std::vector<double> picked(const std::vector<double>& values, const std::vector<
   return kept;
 }
 
-/// Largest value of the rows nearest to each of n samples: a peak between two of them is not missed.
+/// Returns, for each of n samples, the largest value of the rows nearest to it. Thus no peak is missed.
 std::vector<double> peaks(const std::vector<double>& values, const std::vector<double>& time, double dt,
                           std::size_t n) {
   std::vector<double> largest(n, std::numeric_limits<double>::quiet_NaN());
@@ -44,7 +44,7 @@ std::vector<double> peaks(const std::vector<double>& values, const std::vector<d
   return largest;
 }
 
-/// x, y, z of a column's vector at the rows; none where the file has none.
+/// Returns x, y, z of a vector at the rows; empty if the file does not have the vector.
 std::vector<Series> vector_series(const NumberTable& rollout, const std::string& name,
                                   const std::vector<std::size_t>& rows) {
   std::vector<Series> axes;

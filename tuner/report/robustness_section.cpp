@@ -1,4 +1,4 @@
-// What many arms say of a gain set, from samples.csv.
+// The section with the results of a gain set on many arms, from samples.csv.
 
 #include <fmt/format.h>
 
@@ -33,8 +33,8 @@ std::vector<MetricLimit> limits_from(const std::string& text) {
   return parse_limits(parts);
 }
 
-/// Values in bins of equal width from the smallest to the largest; about as many as their number's square
-/// root.
+/// Counts the values in bins of equal width from the smallest to the largest value. The number of bins is
+/// about the square root of the number of values, and at most kMostBins.
 void fill(const std::vector<double>& values, Histogram& histogram) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double begin = *low;
@@ -52,10 +52,10 @@ void fill(const std::vector<double>& values, Histogram& histogram) {
   }
 }
 
-/// A scenario and the rows that it has.
+/// The name of a scenario, and the indices of its rows.
 using ScenarioRows = std::pair<std::string, std::vector<std::size_t>>;
 
-/// In the order in which the scenarios come.
+/// Returns the rows of each scenario, in the order in which the scenarios first appear.
 std::vector<ScenarioRows> rows_by_scenario(const CsvTable& samples) {
   const std::size_t scenario = samples.column("scenario");
   std::vector<ScenarioRows> all;
@@ -69,7 +69,7 @@ std::vector<ScenarioRows> rows_by_scenario(const CsvTable& samples) {
   return all;
 }
 
-/// One per scenario and metric that any completed sample has.
+/// Adds a histogram for each scenario and headline metric that any completed sample has.
 void add_histograms(const CsvTable& samples, const std::vector<MetricLimit>& limits,
                     const std::vector<Table>& tables, Robustness& robustness) {
   const std::size_t status = samples.column("status");
@@ -105,7 +105,7 @@ void add_histograms(const CsvTable& samples, const std::vector<MetricLimit>& lim
   }
 }
 
-/// Number of a sample. Throws InputError where the cell holds none.
+/// Returns the number of a sample. Throws InputError if the cell contains no such number.
 long sample_in(const CsvTable& samples, std::size_t row, std::size_t column) {
   constexpr double kMost = 1e15;
   const double number = samples.number(row, column);
@@ -148,7 +148,7 @@ Robustness robustness_of(const CsvTable& samples, const std::string& limits,
   found.broken.assign(broken_by.begin(), broken_by.end());
   std::stable_sort(found.broken.begin(), found.broken.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
-  // A ratio that is not a number is of a run that came to nothing: the worst there is.
+  // A ratio that is NaN belongs to a rollout without a result, which is the worst case.
   const auto rank = [](double value) { return std::isnan(value) ? INFINITY : value; };
   std::stable_sort(worst.begin(), worst.end(),
                    [rank](const auto& a, const auto& b) { return rank(a.first) > rank(b.first); });

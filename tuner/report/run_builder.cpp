@@ -19,7 +19,7 @@ struct GroupOf {
   const char* unit;
 };
 
-/// Of columns whose names begin so.
+/// Plots and units of columns, by the beginning of the name.
 constexpr GroupOf kGroups[] = {{"tool/position/", "position", "m"},
                                {"desired/position/", "position", "m"},
                                {"error/position/", "position_error", "m"},
@@ -32,7 +32,7 @@ constexpr GroupOf kGroups[] = {{"tool/position/", "position", "m"},
                                {"clearance/", "clearance", "m"},
                                {"manipulability", "manipulability", "m^3"}};
 
-/// Times of the rows [s]. Throws InputError naming file and line.
+/// Returns the times of the rows [s]. Throws InputError naming file and line.
 std::vector<double> rising_times(const NumberTable& table) {
   constexpr double kMost = 1e9;  // [s]
   const std::vector<double>& times = table.numbers(table.column("time"));

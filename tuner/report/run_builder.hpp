@@ -11,7 +11,7 @@ namespace armtune::internal::report {
 /// of the tool, its errors, the gaze angle and the like.
 bool is_task_column(std::string_view name);
 
-/// Returns the number in a cell as error messages show it. NaN is shown as an empty cell.
+/// Returns the number in a cell as error messages show it. The text for NaN is "an empty cell".
 std::string shown_cell(double number);
 
 /// A builder of a run from a CSV file. The run's time counts from the file's first row.

@@ -13,7 +13,7 @@ namespace {
 constexpr RunKind kKinds[] = {RunKind::kSimulate, RunKind::kTune, RunKind::kPareto, RunKind::kRobustness,
                               RunKind::kCompare};
 
-/// By the command that a journal was begun by; nothing where there is none, or a damaged one.
+/// Returns the kind by the command in the journal, or nothing if there is no journal or a damaged one.
 std::optional<RunKind> journal_kind(const std::string& folder) {
   try {
     const auto path = find_run_file(folder, "journal.txt");
@@ -22,7 +22,7 @@ std::optional<RunKind> journal_kind(const std::string& folder) {
     for (const RunKind kind : kKinds) {
       if (!header.arguments.empty() && header.arguments.front() == name(kind)) return kind;
     }
-  } catch (const InputError&) {  // then by the other files
+  } catch (const InputError&) {  // the other files decide
   }
   return std::nullopt;
 }

@@ -28,13 +28,13 @@ class Recordings {
     std::vector<std::size_t> order = telling_order(names(), data_.tables, last_set());
     std::erase_if(order, [this](std::size_t s) { return find_files(s) == 0; });
     keep_what_fits(order);
-    // In the run's order, so that a scenario is where a reader looks for it.
+    // The scenarios keep the order of the run, so that a reader finds them.
     std::sort(order.begin(), order.end());
     std::size_t runs = 0;
     for (const std::size_t s : order) runs += files_[s].size();
     std::size_t scenarios = order.size();
     for (const std::size_t s : order) {
-      // A little less than there is: sizes are estimates.
+      // A part of the room stays free, because sizes are estimates.
       const std::size_t room = room_ - std::min(room_, room_ / 20 + scenarios * kLeastOfScenario);
       add_scenario(s, room / std::max<std::size_t>(1, runs));
       runs -= files_[s].size();
@@ -64,7 +64,7 @@ class Recordings {
     return found == scene_.scenarios.end() ? nullptr : &*found;
   }
 
-  /// An entry of a scenario's table; empty where there is none.
+  /// Returns an entry of a scenario's table; empty if there is none.
   std::string of_set(const std::string& scenario, std::size_t set,
                      std::vector<std::string> Table::*entries) const {
     for (const Table& table : data_.tables) {
@@ -73,7 +73,7 @@ class Recordings {
     return {};
   }
 
-  /// How many recordings there are of a scenario.
+  /// Finds the recordings of a scenario, and returns their number.
   std::size_t find_files(std::size_t s) {
     files_.resize(data_.scenarios.size());
     const std::string& name = data_.scenarios[s].name;
@@ -82,7 +82,7 @@ class Recordings {
       try {
         if (auto path = find_run_file(folder_, file)) {
           files_[s].push_back({set, *std::move(path)});
-        } else if (of_set(name, set, &Table::status) == "completed") {  // what ended early leaves none
+        } else if (of_set(name, set, &Table::status) == "completed") {  // rollouts that ended early have none
           data_.left_out.push_back(
               fmt::format("{}/{}: its plots and its replay, because the file is missing", folder_, file));
         }
@@ -97,7 +97,7 @@ class Recordings {
     return s == nullptr ? 0 : scene_.arms[s->arm].joints.size();
   }
 
-  /// Bytes of one run of the scenario at the coarsest.
+  /// Returns the bytes of one run of the scenario at the coarsest resolution.
   std::size_t least_of(std::size_t s) const {
     const SceneScenario* scenario = scene_of(data_.scenarios[s].name);
     const std::size_t joints = joints_of_scenario(scenario);
@@ -134,7 +134,7 @@ class Recordings {
     run.set = file.set;
     run.status = of_set(name, file.set, &Table::status);
     run.reason = of_set(name, file.set, &Table::reason);
-    // Between two rows the end may lie, but not further off.
+    // The end may lie between two rows, but not farther away.
     const double row_after =
         run.end * (1.0 + 1.5 / static_cast<double>(std::max<std::size_t>(2, recording.rows()) - 1));
     if (scenario != nullptr && run.status == "completed" && row_after < scenario->duration) {
@@ -147,7 +147,7 @@ class Recordings {
     return run;
   }
 
-  /// share: bytes for each of its runs.
+  /// Adds plots and replays of a scenario. share: bytes for each of its runs.
   void add_scenario(std::size_t s, std::size_t share) {
     ReportScenario& shown = data_.scenarios[s];
     const SceneScenario* whole = scene_of(shown.name);
@@ -185,7 +185,8 @@ class Recordings {
     shown = std::move(with_runs);
   }
 
-  /// Of a replay that may have half the bytes of a run, with a hundred samples where there are as many rows.
+  /// Returns the largest number of obstacles in a replay. They may take half the bytes of a run. A replay has
+  /// at least a hundred samples, if there are as many rows.
   static std::size_t most_obstacles(std::size_t share, std::size_t rows) {
     constexpr std::size_t kOverhead = 200;  // [bytes] of one obstacle
     constexpr std::size_t kOfSample = 8;

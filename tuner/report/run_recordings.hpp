@@ -14,7 +14,7 @@ std::string name_in(const SceneSet& set, const std::string& file);
 
 /// Adds plots and replays to `data.scenarios` from the files rollout_<scenario>.csv of every gain set. The
 /// names of the scenarios must be set. room: bytes of text that plots and replays may take. If not all of
-/// them fit, scenarios have priority that failed or broke a limit of the arm with the last gain set. Then
+/// them fit, scenarios that failed or broke a limit of the arm with the last gain set have priority. Then
 /// obstacles far from the tool are left out too. `data.thinned` lists all that is missing. `data.left_out`
 /// lists the recordings that cannot be understood.
 void add_recordings(const std::string& folder, const Scene& scene, std::size_t room, ReportData& data);

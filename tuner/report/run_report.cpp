@@ -62,7 +62,7 @@ class Assembly {
   }
 
  private:
-  /// Recordings take the bytes that the other sections, which are shortened where they are very long, leave.
+  /// Shortens the other sections if they are very long. The recordings then get the remaining bytes.
   void fill() {
     constexpr std::size_t kForNotes = 40'000;
     const std::vector<Table> tables = data_.tables;
@@ -76,7 +76,7 @@ class Assembly {
     add_notes(data_);
   }
 
-  /// What one file spoils is left out alone, and said.
+  /// Reads one part. If its file cannot be used, only this part is left out, and the reason is listed.
   template <typename Read>
   void part(Read read) {
     try {
@@ -110,21 +110,23 @@ class Assembly {
     for (const SceneSet& set : scene_.sets) errors.push_back(table_if_any(set.errors));
     data_.tables = tables_of(errors);
     auto judged = tables_of(of_sets("robust_errors.csv"));
-    // Each metric is measured over the arms by itself: joint and time of a ratio are of no one arm.
+    // Each metric is combined over the arms separately. Joint and time of a ratio thus belong to no single
+    // arm.
     for (Table& table : judged) {
       for (MetricRow& row : table.rows) row = {row.metric, row.values, {}, {}};
     }
     if (!judged.empty()) data_.judged = {facts_.study ? facts_.study->measure : "", std::move(judged)};
   }
 
-  /// Those that a person looks at first and those that the study asks for: every other is in the files.
+  /// Keeps the headline metrics and those of the study. The files have all others.
   void show_tables() {
     const auto wanted = facts_.study ? metrics_of(*facts_.study) : std::vector<Metric>();
     keep_rows(data_.tables, wanted);
     if (data_.judged) keep_rows(data_.judged->tables, wanted);
   }
 
-  /// In the order of the file's columns; from any recording where the folder says no more.
+  /// Returns the joints of the scene or, without a scene, those of any recording, in the order of its
+  /// columns.
   std::vector<std::string> joint_names() const {
     std::vector<std::string> names;
     if (!scene_.arms.empty()) {
@@ -149,7 +151,7 @@ class Assembly {
     data_.gains = gains_of(facts_.study->gains, joints, paths);
   }
 
-  /// The scene's scenarios, else those of the tables; without recordings.
+  /// Adds the scenarios of the scene or, without a scene, those of the tables. Adds no recordings.
   void describe_scenarios() {
     for (const SceneScenario& s : scene_.scenarios) {
       ReportScenario& shown = data_.scenarios.emplace_back();
@@ -172,7 +174,7 @@ class Assembly {
                                   facts_.study ? facts_.study->limits : std::vector<StudyLimit>());
   }
 
-  /// A file of each set; none where there is no such file.
+  /// Returns the file of this name of each gain set, or nothing for a set that does not have it.
   std::vector<std::optional<CsvTable>> of_sets(const char* name) const {
     std::vector<std::optional<CsvTable>> tables;
     for (const SceneSet& set : scene_.sets) tables.push_back(table_if_any(name_in(set, name)));
@@ -196,7 +198,7 @@ class Assembly {
     }
   }
 
-  /// "start (published)"
+  /// Labels the start as, for example, "start (published)".
   void name_start() {
     const std::string start = facts_.entry("start");
     if (!data_.front || start.empty()) return;

@@ -33,7 +33,7 @@ ArmShape drawn(const CellPart& part) {
   return shape;
 }
 
-/// Start and result, and between them the start gains that the study gives where others took their place.
+/// Returns start and result. If armtune replaced the study's own start gains, these are between them.
 std::vector<SceneSet> tune_sets(const std::string& folder) {
   std::vector<SceneSet> sets = {{"start", "start", "start/errors.csv"}};
   if (find_run_file(folder, "given/gains.yaml")) sets.push_back({"given", "given", "given/errors.csv"});
@@ -84,7 +84,7 @@ Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> set
       for (const CellPart& part : scenario.clearance->cell().parts) {
         if (!part.is_obstacle) s.cell.push_back({part.name, drawn(part), part.path});
       }
-      // It is drawn across the base frame's z.
+      // The floor is drawn perpendicular to the base frame's z axis.
       const bool upright = height_of(Vec3::UnitZ(), *scenario.robot) > 1.0 - 1e-6;
       if (upright) s.floor = scenario.clearance->cell().floor;
     }
@@ -110,7 +110,7 @@ std::vector<Vec3> drawn_path(const Path& path) {
   points.reserve(2 * static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) points.push_back(at(from + length * i / count));
   if (turn > 0.0) return points;
-  // Drawn closed: one that does not close goes back the way it came.
+  // The polyline is drawn closed. A path that does not close goes back the way it came.
   for (int i = count; i > 0; --i) points.push_back(at(from + length * i / count));
   return points;
 }

@@ -1,5 +1,5 @@
-// scene.json, as the types of a scene declare themselves. Beyond that, what a file names must be there: it
-// may come from anywhere.
+// Reads and writes scene.json, by the declarations of the types of a scene. Also checks the indices and paths
+// in the file, because it may come from another person.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 /// Time [s], position [m], velocity and acceleration.
 using KnotRow = Eigen::Matrix<double, 10, 1>;
 
-/// A path as the file has it.
+/// A path in the form of the file.
 struct StoredPath {
   Path path;
   std::vector<KnotRow> knots;
@@ -70,18 +70,18 @@ static void read(const yaml::Node& node, Path& path) {
 namespace report {
 namespace {
 
-/// Meshes of some twenty arms. No more, as the YAML reader takes a hundred times the size of a file that is
-/// one long list.
+/// Enough for the meshes of about twenty arms. The limit is needed because the YAML reader can take a hundred
+/// times the size of the file in memory.
 constexpr std::size_t kMaxSceneBytes = 32 << 20;
 
-/// A path below the run's folder: what a scene names is read and shown.
+/// Fails if the path leads out of the run's folder, because the file there would be read and shown.
 void require_inside(const yaml::Node& node) {
   const std::filesystem::path path = node.as_string();
   if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
     node.fail(fmt::format("'{}' is outside the run's folder; expected a path inside it", path.string()));
 }
 
-/// Base64 of nine singles for each triangle, which needs no padding.
+/// Fails unless the text is base64 of nine float32 values for each triangle, which needs no padding.
 void require_triangles(const yaml::Node& node) {
   constexpr std::size_t kOfTriangle = 48;
   constexpr const char* kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -95,7 +95,8 @@ void require_index(const yaml::Node& node, long first, std::size_t count, const 
   if (index < first || index >= static_cast<long>(count)) node.fail(fmt::format("there is no such {}", what));
 }
 
-/// What the declaration does not say, of a scene that is as it says.
+/// Checks what the declarations do not express: paths, indices and triangles. The scene must match the
+/// declarations.
 void check(const yaml::Node& root) {
   for (const yaml::Node& set : root.find("sets")->items()) {
     require_inside(*set.find("folder"));
@@ -114,7 +115,7 @@ void check(const yaml::Node& root) {
 
 }  // namespace
 
-/// A path alone, as it was written when obstacles had no body, is a point's.
+/// Reads an obstacle. In older files it is only a path, and the obstacle is a point.
 static void read(const yaml::Node& node, SceneObstacle& obstacle) {
   if (node.find("path") == nullptr) return armtune::internal::read(node, obstacle.path);
   record::read(node, obstacle);

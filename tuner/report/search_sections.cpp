@@ -1,4 +1,4 @@
-// What a search leaves behind: its evaluations and fronts.
+// The sections with the results of a search: its evaluations and fronts.
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 namespace armtune::internal::report {
 namespace {
 
-/// The row whose gains are the last set's; of several the judge's, then the feasible one with the least
-/// objective.
+/// Returns the row with the gains of the last set. Of several such rows, prefers one that Simbody simulated,
+/// and then the best one.
 long chosen_row(const CsvTable& table, const Evaluations& e, const std::vector<Gain>& gains) {
   std::vector<std::pair<std::size_t, double>> wanted;  // column, value
   for (const Gain& gain : gains) {
@@ -23,7 +23,7 @@ long chosen_row(const CsvTable& table, const Evaluations& e, const std::vector<G
   }
   const auto has_them = [&](std::size_t r) {
     return std::all_of(wanted.begin(), wanted.end(), [&](const std::pair<std::size_t, double>& w) {
-      // gains.yaml and evaluations.csv round a gain alike but for its last bit.
+      // A gain in gains.yaml and in evaluations.csv may differ in its last bit.
       return std::abs(table.number(r, w.first) - w.second) <= 1e-12 * std::abs(w.second);
     });
   };
@@ -32,7 +32,7 @@ long chosen_row(const CsvTable& table, const Evaluations& e, const std::vector<G
     if (!e.feasible[a] && e.violation[a] != e.violation[b]) return e.violation[a] < e.violation[b];
     return e.objective[a] < e.objective[b];
   };
-  // 2: these gains, judged by Simbody; 1: these gains; 0: others.
+  // 2: these gains, simulated by Simbody; 1: these gains; 0: other gains.
   const auto rank = [&](std::size_t r) {
     if (wanted.empty() || !has_them(r)) return 0;
     return e.native.empty() || !e.native[r] ? 2 : 1;
@@ -49,7 +49,7 @@ long chosen_row(const CsvTable& table, const Evaluations& e, const std::vector<G
   return best;
 }
 
-/// Only those that are feasible and that no other feasible one dominates, and start and chosen.
+/// Returns the start, the chosen point, and the feasible points that no other feasible point dominates.
 std::vector<FrontPoint> essential(const std::vector<FrontPoint>& points) {
   std::vector<Costs> costs;
   std::vector<std::size_t> feasible;
@@ -103,7 +103,7 @@ std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& e
   if (columns.empty()) return std::nullopt;
   Front front;
   front.criteria = {{"objective", "1"}, {metric, field(Metric::kJointVelocityMaxRatio).unit}};
-  // A point's ratio is the worst of these scenarios: a line says something only if it holds for all of them.
+  // The ratio of a point is the worst of these scenarios. A limit is drawn only if it holds for all of them.
   for (const StudyLimit& limit : limits) {
     const bool all = limit.scenarios.empty() || limit.scenarios.size() >= columns.size();
     if (limit.metric == Metric::kJointVelocityMaxRatio && limit.upper && limit.value && all) {
@@ -153,7 +153,7 @@ Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, 
     const bool start = table.text(r, kind) == "start";
     const std::string number = table.text(r, point);
     p.label = start ? "start" : "point " + number;
-    p.feasible = !start;  // pareto.csv does not say it of the start; every point of a front is
+    p.feasible = !start;  // unknown for the start; every point of a front is feasible
     p.role = start ? "start" : number == shown ? "shown" : "point";
     front.points.push_back(std::move(p));
   }

@@ -21,7 +21,7 @@ Series quantize(std::span<const double> values) {
     series.hi = any ? std::max(series.hi, value) : value;
     any = true;
   }
-  // Halves, so that the width of a diverged run's column does not overflow.
+  // Halves are used, so that the width of a column of a diverged run does not overflow.
   const double half_width = 0.5 * series.hi - 0.5 * series.lo;
   series.steps.reserve(values.size());
   for (const double value : values) {

@@ -10,7 +10,8 @@
 namespace armtune::internal::report {
 namespace {
 
-/// Keeps the first ones, and says of what and where the others are.
+/// Keeps the first `most` items, and adds the number of the others to `data.thinned`. what: name of the
+/// items.
 template <typename Item>
 void keep_first(std::vector<Item>& items, std::size_t most, const char* what, ReportData& data) {
   if (items.size() <= most) return;
@@ -18,7 +19,7 @@ void keep_first(std::vector<Item>& items, std::size_t most, const char* what, Re
   items.resize(most);
 }
 
-/// Bytes of a table's text, about.
+/// Returns roughly the bytes of a table's text.
 std::size_t bytes_of(const Table& table) {
   constexpr std::size_t kOfRow = 260;  // names, words and meaning of the metric
   constexpr std::size_t kOfValue = 22;
@@ -33,7 +34,7 @@ std::size_t bytes_of(const Table& table) {
   return bytes;
 }
 
-/// Tables of the scenarios that say most, in their order.
+/// Keeps the tables of the first scenarios in telling_order(), in the original order of the tables.
 void shorten_tables(std::vector<Table>& tables, std::size_t most_bytes, std::size_t set, const char* file,
                     ReportData& data) {
   std::vector<std::string> names;
@@ -64,7 +65,7 @@ void shorten_front(Front& front, ReportData& data) {
   const std::size_t all = front.points.size();
   std::vector<FrontPoint> kept;
   for (std::size_t i = 0; i < all; ++i) {
-    // Evenly over the front: its points are in their order.
+    // Keeps points evenly over the front, because the points are sorted.
     const bool chosen = i * kMost / all != (i + 1) * kMost / all;
     if (chosen || front.points[i].role != "point") kept.push_back(std::move(front.points[i]));
   }
@@ -72,16 +73,16 @@ void shorten_front(Front& front, ReportData& data) {
   front.points = std::move(kept);
 }
 
-/// Which evaluations are shown.
+/// Returns, for each evaluation, true if it is shown.
 std::vector<bool> best_and_worst(const Evaluations& e) {
-  constexpr std::size_t kBuckets = 6000;  // three of each, and start and chosen
+  constexpr std::size_t kBuckets = 6000;  // keeps three of each, and start and chosen
   const std::size_t all = e.objective.size();
   std::vector<bool> keep(all, false);
   for (const long i : {e.start, e.chosen}) {
     if (i >= 0) keep[static_cast<std::size_t>(i)] = true;
   }
   for (std::size_t b = 0; b < kBuckets; ++b) {
-    std::optional<std::size_t> best[2];  // of those that are not feasible, and of those that are
+    std::optional<std::size_t> best[2];  // best infeasible and best feasible one
     std::optional<std::size_t> worst;
     for (std::size_t i = b * all / kBuckets; i < (b + 1) * all / kBuckets; ++i) {
       if (!std::isfinite(e.objective[i])) continue;

@@ -14,7 +14,7 @@ const yaml::Node& needed(const yaml::Node& map, const char* key) {
   return *node;
 }
 
-/// A metric of another version of armtune is none of this one's: left out.
+/// Returns nothing for a metric that only another version of armtune has.
 std::optional<Metric> metric_of(const yaml::Node& item) {
   return metric_from_name(needed(item, "metric").as_string());
 }

@@ -12,7 +12,7 @@
 namespace armtune::internal::report {
 namespace {
 
-/// The first row of each scenario in an errors.csv; none without a file.
+/// Returns the first row of each scenario in errors.csv; empty without a file.
 std::map<std::string, std::size_t> rows_of(const std::optional<CsvTable>& errors) {
   std::map<std::string, std::size_t> rows;
   if (!errors) return rows;
@@ -41,7 +41,7 @@ Place place_of_ratio(const CsvTable& errors, std::size_t row) {
   return {joint, joint.empty() || std::isnan(time) ? "" : fmt::format(" at {:.2f} s", time)};
 }
 
-/// Headlines first.
+/// Returns all metrics, the headline metrics first.
 std::vector<Metric> ordered_metrics() {
   std::vector<Metric> metrics = headline_metrics();
   for (const Metric metric : all_metrics()) {

@@ -31,7 +31,7 @@ double number_entry(const VerdictFacts& facts, const std::string& key) {
   return value;
 }
 
-/// Of a run that has no run.yaml yet.
+/// Returns the verdict of a run that has no run.yaml yet.
 Verdict of_unfinished(const ReportData& data, const VerdictFacts& facts) {
   Verdict verdict;
   std::string so_far = "nothing was evaluated";
@@ -56,7 +56,7 @@ Verdict of_unfinished(const ReportData& data, const VerdictFacts& facts) {
   return verdict;
 }
 
-/// Against the start; a study on many arms by what it was judged by.
+/// Compares the result with the start. For a study on many arms, uses the risk measures over the arms.
 Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   const std::size_t tuned = data.sets.size() - 1;
   const std::vector<Table>& tables = data.judged ? data.judged->tables : data.tables;
@@ -101,7 +101,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   return verdict;
 }
 
-/// Over the scenarios, of the first set; NaN where none has a value.
+/// Returns the largest value of the first set over the scenarios; NaN if none has a value.
 double largest(const std::vector<Table>& tables, Metric metric) {
   double found = NAN;
   for (const Table& table : tables) found = std::fmax(found, value_of(table, metric, 0));
@@ -163,7 +163,7 @@ Verdict of_compare(const ReportData& data) {
   return verdict;
 }
 
-/// Nowhere worse than the start and somewhere better.
+/// True if the point is in no criterion worse than the start, and in some criterion better.
 bool beats(const FrontPoint& point, const FrontPoint& start, const Front& front) {
   bool somewhere = false;
   for (std::size_t c = 0; c < front.criteria.size(); ++c) {
@@ -258,7 +258,7 @@ Verdict of_run(const ReportData& data, const VerdictFacts& facts) {
       return of_robustness(data);
     case RunKind::kCompare:
       return of_compare(data);
-    case RunKind::kPlan:  // has a verdict of its own: plan_report.cpp
+    case RunKind::kPlan:  // plan_report.cpp makes its verdict
       break;
   }
   return {};

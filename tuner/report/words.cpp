@@ -10,10 +10,10 @@
 namespace armtune::internal::report {
 namespace {
 
-/// Below this a change is not worth a word.
+/// A smaller relative change is not mentioned.
 constexpr double kNoticeable = 0.01;
 
-/// "falls by 62 %"
+/// Returns, for example, "falls by 62 %".
 std::string how_much(double ratio) {
   const double percent = 100.0 * (ratio - 1.0);
   return percent > 1000.0

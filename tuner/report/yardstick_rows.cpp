@@ -10,12 +10,12 @@
 namespace armtune::internal::report {
 namespace {
 
-/// What the events of a kind are called.
+/// The words for events of one kind.
 struct KindWords {
   const char* event;
-  const char* reached;   ///< before the figure
-  const char* missed;    ///< where there is none
-  const char* at_worst;  ///< of the worst of all
+  const char* reached;   ///< words before the figure
+  const char* missed;    ///< words if there is no figure
+  const char* at_worst;  ///< words for the worst event
 };
 
 constexpr KindWords kKinds[] = {
@@ -32,7 +32,7 @@ const KindWords& words_of(const std::string& event) {
   return kOther;
 }
 
-/// "1.48 s"; radians as mrad, for they are small.
+/// Returns, for example, "1.48 s". Radians are shown as mrad, because they are small.
 std::string figure(double value, const std::string& unit) {
   constexpr double kMilli = 1e3;
   return unit == "rad" ? fmt::format("{:.3g} mrad", kMilli * value) : fmt::format("{:.3g} {}", value, unit);

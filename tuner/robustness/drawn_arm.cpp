@@ -21,7 +21,7 @@ double entry(const JointVector& values, Eigen::Index i, double otherwise) {
   return values.size() > 0 ? values[i] : otherwise;
 }
 
-/// In the order of kOfJoint.
+/// Returns the values of joint i, in the order of kOfJoint.
 std::array<double, kOfJoint.size()> of_joint(const Scenario& drawn, Eigen::Index i) {
   const PlantConditions& plant = drawn.plant;
   const auto center = [&](Eigen::Index axis) {
@@ -38,7 +38,7 @@ std::array<double, kOfJoint.size()> of_joint(const Scenario& drawn, Eigen::Index
           entry(drawn.theta.factors, i, 1.0)};
 }
 
-/// What moves in a scenario, by name.
+/// Returns the names and paths of the targets and obstacles of a scenario.
 std::vector<std::pair<std::string, const Path*>> moving(const Scenario& scenario) {
   std::vector<std::pair<std::string, const Path*>> paths;
   for (const NamedPath& target : scenario.targets) paths.emplace_back(target.name, &target.path);

@@ -9,8 +9,8 @@ namespace {
 /// Below this share of EdgeSearch::first a value counts as zero.
 constexpr double kZero = 1e-3;
 
-/// To four significant digits. Powers of ten up to 1e22 are exact, so the result is the double nearest to the
-/// decimal number.
+/// Rounds to four significant digits. Powers of ten up to 1e22 are exact, so the result is the double nearest
+/// to the decimal number.
 double rounded(double value) {
   if (value == 0.0) return 0.0;
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));

@@ -1,5 +1,5 @@
 #pragma once
-// Limits of metrics. They judge gains in the checks on random arms and in those of stability margins.
+// Limits of metrics. Gains must keep them on random arms, and in the rollouts that find stability margins.
 
 #include <string>
 #include <vector>

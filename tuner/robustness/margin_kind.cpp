@@ -3,8 +3,8 @@
 namespace armtune::internal {
 namespace {
 
-/// The sensors' noise is scaled in this ratio where the scenario has none [rad per rad/s]: that of the
-/// realistic scenarios, 1e-4 rad to 0.01 rad/s.
+/// Ratio of position noise to velocity noise, used if the scenario has no velocity noise [rad per rad/s]. It
+/// is the ratio of the realistic scenarios, 1e-4 rad to 0.01 rad/s.
 constexpr double kNoiseRatio = 1e-2;
 
 double rate(const Scenario& scenario) {
@@ -38,8 +38,8 @@ void scale_gains(double value, Scenario& scenario, Gains&) {
 }  // namespace
 
 const std::array<MarginField, kMarginCount>& margin_fields() {
-  // Strides: narrow enough that the first failure is met rather than an island beyond it; noise, which has
-  // the longest way to go, in larger ones.
+  // The strides are small enough to meet the first failure, and not to step over it to stable values beyond.
+  // Noise has larger strides, because its search has the longest way to go.
   static const std::array<MarginField, kMarginCount> fields{{
       {"torque_delay", "periods", "largest additional torque delay, in control periods",
        [](const Scenario&) { return 0.0; }, delay_more,

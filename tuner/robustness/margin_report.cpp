@@ -25,7 +25,7 @@ std::string title(MarginKind kind) {
   return fmt::format("{} [{}]", name(kind), field(kind).unit);
 }
 
-/// "2 (4 ms)", ">= 100" where nothing failed, "none" where not even the nominal value stands.
+/// Returns, for example, "2 (4 ms)"; ">= 100" if nothing failed; "none" if the nominal value fails.
 std::string shown(const std::optional<Margin>& margin) {
   if (!margin) return "-";
   if (!margin->stands) return "none";
@@ -38,7 +38,8 @@ std::string shown(const std::optional<Margin>& margin) {
   return (field(margin->kind).search.stride > 1.0 ? ">= " : "<= ") + text;
 }
 
-/// A line per margin that something ends; one alone where the loop does not even stand as it is.
+/// Returns one line for each margin with a failure. If the loop fails without any change, returns only one
+/// line, which says so.
 std::string what_ends(const std::vector<Scenario>& scenarios, const ComparedMargins& set) {
   std::string text;
   for (const MarginKind kind : all_kinds()) {

@@ -16,7 +16,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Ends a rollout as soon as it is known not to stand, and says why.
+/// Ends a rollout as soon as its loop is known to fail, and keeps the reason.
 class Watch {
  public:
   Watch(const Scenario& scenario, const std::vector<MetricLimit>& limits)
@@ -59,7 +59,8 @@ class Watch {
   LoopFailure failure_;
 };
 
-/// Why the loop does not stand in an engine, if it does not. None if `stop` cut the rollout short.
+/// Returns why the loop fails in an engine; the text is empty if it does not fail. Returns nothing if `stop`
+/// interrupted the rollout.
 std::optional<LoopFailure> failure(Engine engine, const Scenario& scenario, const Gains& gains,
                                    const MarginOptions& options, const std::atomic<bool>& stop) {
   Watch watch(scenario, options.limits);
@@ -67,7 +68,7 @@ std::optional<LoopFailure> failure(Engine engine, const Scenario& scenario, cons
   RunningTime time;
   const RolloutResult result =
       Rollout(scenario, options.stepper, engine).run(gains, [&](const Observation& o) {
-        // Not that it does not stand: what a clock says must not become a margin.
+        // This is an error and no failure of the loop, because a margin must not depend on the wall clock.
         if (time.look() > deadline) {
           throw FailedError(
               fmt::format("{}: a rollout of the margin search simulated only {:.3f} s of {} s within its "
@@ -86,7 +87,7 @@ std::optional<LoopFailure> failure(Engine engine, const Scenario& scenario, cons
   return LoopFailure{broken.empty() ? broken : "breaks " + broken, "", NAN};
 }
 
-/// A loop pushed along one margin, in one engine: every value is simulated once.
+/// A loop with the quantity of one margin changed, in one engine. Every value is simulated only once.
 class Pushed {
  public:
   Pushed(Engine engine, const MarginField& margin, const Scenario& scenario, const Gains& gains,
@@ -98,7 +99,7 @@ class Pushed {
         options_(options),
         stop_(stop) {}
 
-  /// False as well once `stop` became true.
+  /// True if the loop is stable at this value. Also returns false once `stop` is true.
   bool stands(double value) {
     if (stop_) return false;
     const auto known = reasons_.find(value);
@@ -110,7 +111,7 @@ class Pushed {
     if (why) reasons_.emplace(value, *why);
     return why && why->holds();
   }
-  /// Why a value that was tried does not stand.
+  /// Returns why the loop fails at a value that was tried.
   const std::string& reason(double value) const { return reasons_.at(value).text; }
 
  private:
@@ -123,7 +124,8 @@ class Pushed {
   std::map<double, LoopFailure> reasons_;
 };
 
-/// The margin of a loop that stands at its nominal value. None if `stop` cut it short.
+/// Returns the margin of a loop that is stable at its nominal value. Returns nothing if `stop` interrupted
+/// the search.
 std::optional<Margin> find_margin(Margin margin, const Scenario& scenario, const Gains& gains,
                                   const MarginOptions& options, const std::atomic<bool>& stop) {
   const MarginField& declared = field(margin.kind);
@@ -146,7 +148,7 @@ std::optional<Margin> find_margin(Margin margin, const Scenario& scenario, const
   return margin;
 }
 
-/// Whether a is a smaller margin than b of the same kind.
+/// True if a is a smaller margin than b. Both must be of the same kind.
 bool smaller(const Margin& a, const Margin& b) {
   if (!a.stands || !b.stands) return !a.stands && b.stands;
   return field(a.kind).search.stride > 1.0 ? *a.stands < *b.stands : *a.stands > *b.stands;

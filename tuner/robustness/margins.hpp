@@ -41,7 +41,7 @@ struct MarginOptions {
   /// the search is repeated in Simbody. Values that Simbody has simulated are not simulated again.
   Engine engine = Engine::kSimbody;
   int workers = 1;
-  /// Called after each margin with numbers of margins. One call at a time.
+  /// Called after each margin, with the number of margins done and that of all. One call at a time.
   std::function<void(std::size_t done, std::size_t all)> progress;
   std::function<void(const std::vector<Margin>& so_far)> finished;  ///< after each margin; one call at a time
 };

@@ -12,7 +12,7 @@
 namespace armtune::internal {
 namespace {
 
-/// All samples of one call of monte_carlo: what is known of each, and what is still to be simulated.
+/// The samples of one call of monte_carlo, with their results so far.
 class Drawing {
  public:
   Drawing(RolloutPool& pool, const Gains& gains, const MonteCarloOptions& options)
@@ -73,8 +73,8 @@ class Drawing {
     return one;
   }
 
-  /// Keeps the result of a job. Returns false where another engine than Simbody saw a limit break: Simbody
-  /// has the last word.
+  /// Keeps the result of a job. Returns false if a limit is broken in another engine than Simbody, because
+  /// Simbody must then simulate the job again.
   bool keep(std::size_t job, Engine engine, RolloutResult&& result) {
     const std::size_t k = missing_[job / scenarios_.size()];
     const std::size_t s = job % scenarios_.size();
@@ -87,7 +87,7 @@ class Drawing {
     return true;
   }
 
-  /// Tells of the samples that are whole, up to the first that is not.
+  /// Reports the complete samples, up to the first one that is not complete.
   void report() {
     for (; options_.finished && reported_ < samples_.size() && done_[reported_] == scenarios_.size();
          ++reported_) {
@@ -100,10 +100,10 @@ class Drawing {
   const MonteCarloOptions& options_;
   const std::vector<Scenario>& scenarios_;
   std::vector<MonteCarloSample> samples_;
-  std::vector<std::size_t> done_;     ///< [sample]: rollouts
+  std::vector<std::size_t> done_;     ///< [sample]: number of rollouts done
   std::vector<std::size_t> missing_;  ///< samples to simulate
-  std::size_t reported_ = 0;          ///< samples
-  std::size_t rollouts_ = 0;          ///< done
+  std::size_t reported_ = 0;          ///< number of samples reported
+  std::size_t rollouts_ = 0;          ///< number of rollouts done
 };
 
 }  // namespace

@@ -14,8 +14,8 @@ std::string number(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.4g}", value);
 }
 
-/// A ratio says something only between two values of one sign and a first one that is not zero; an infinite
-/// one is no value, though what is divided by it would look like one.
+/// Returns value / reference. Returns NaN unless the reference is finite and above zero and the value is not
+/// negative, because other ratios have no meaning.
 double ratio(double value, double reference) {
   return std::isfinite(reference) && reference > 0.0 && value >= 0.0 ? value / reference : NAN;
 }

@@ -20,17 +20,17 @@ namespace {
 
 constexpr double kGigabyte = 1e9;
 constexpr double kKept = sizeof(double);
-/// Of a value while its file is made (Recorder::write_csv): the value, a copy, and a text of up to 24
-/// characters in a buffer that holds its old and its new half as it grows.
+/// Bytes per value while its file is written (Recorder::write_csv): the value, a copy, and its text of up to
+/// 24 characters. The text counts twice, because the buffer is copied when it grows.
 constexpr double kWritten = 2.0 * sizeof(double) + 50.0;
 
-/// The number in a file of the kernel's; infinite where the file is missing or says "max".
+/// Returns the number in a file of the kernel. It is infinite if the file is missing or contains "max".
 double limit_in(const std::string& path) {
   double bytes = 0.0;
   return std::ifstream(path) >> bytes ? bytes : std::numeric_limits<double>::infinity();
 }
 
-/// The folder of this process's control group (version 2), as in "0::/user.slice"; empty: none.
+/// Returns the folder of this process's control group (version 2), as in "0::/user.slice"; empty if none.
 std::string control_group() {
   std::ifstream groups("/proc/self/cgroup");
   for (std::string line; std::getline(groups, line);) {

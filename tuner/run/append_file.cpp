@@ -32,8 +32,8 @@ int flags(AppendFile::Open open) {
   return 0;
 }
 
-/// Tries for so long [s]: a run that was killed among ranks takes a moment to be gone. False with the reason
-/// in errno.
+/// Locks the file. Tries for `patience` seconds, because the ranks of a killed run take a moment to end. If
+/// that fails, returns false with the reason in errno.
 bool locked(int file, double patience) {
   constexpr std::chrono::milliseconds kBetween(100);
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
@@ -82,7 +82,7 @@ void AppendFile::fail(const char* what) const {
 }
 
 void AppendFile::append(const std::string& text, bool sync) {
-  // What goes to a file that nobody can find again is lost: better said at once than in the morning.
+  // Text that is appended to a deleted file is lost. An error now is better than one after hours of work.
   struct stat now {};
   if (::fstat(file_, &now) == 0 && now.st_nlink == 0) {
     throw FailedError(fmt::format("{}: the file was deleted during the run", path_));
@@ -93,7 +93,7 @@ void AppendFile::append(const std::string& text, bool sync) {
 }
 
 void AppendFile::sync() {
-  // What the disk cannot hold may show here first. A file that cannot be synced (a pipe) is not one to keep.
+  // A full disk may be noticed only here. A file that cannot be synced, such as a pipe, is no error.
   if (::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) fail("append to");
 }
 

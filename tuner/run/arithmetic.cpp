@@ -23,7 +23,7 @@
 namespace armtune::internal {
 namespace {
 
-/// True where libm may use no more than any x86-64 processor has.
+/// True if libm uses only instructions that every x86-64 processor has.
 bool at_baseline() {
 #ifdef ARMTUNE_GLIBC_X86
   return !CPU_FEATURE_ACTIVE(AVX) && !CPU_FEATURE_ACTIVE(AVX2) && !CPU_FEATURE_ACTIVE(FMA) &&
@@ -33,7 +33,8 @@ bool at_baseline() {
 #endif
 }
 
-/// Variants differ in about one value in two thousand: so many arguments that they do not pass for the same.
+/// Returns a hash of results of elementary functions. The variants differ in about one result in two
+/// thousand, so many arguments are needed to tell them apart.
 std::string fingerprint() {
   constexpr int kArguments = 2000;
   Fnv1a hash;
@@ -78,7 +79,7 @@ std::string baseline_tunables(const std::string& set) {
 void fix_arithmetic(char** argv) {
 #ifdef ARMTUNE_GLIBC_X86
   if (at_baseline()) return;
-  // The process keeps its number over an exec: who finds it here has been through this already, in vain.
+  // A process keeps its id over an exec. If its own id is found here, an earlier restart had no effect.
   constexpr const char* kTried = "ARMTUNE_ARITHMETIC_TRIED";
   const std::string self = fmt::format("{}", ::getpid());
   const char* tried = std::getenv(kTried);
@@ -86,7 +87,7 @@ void fix_arithmetic(char** argv) {
   const char* set = std::getenv("GLIBC_TUNABLES");
   const std::string tunables = baseline_tunables(set ? set : "");
   if (::setenv(kTried, self.c_str(), 1) != 0 || ::setenv("GLIBC_TUNABLES", tunables.c_str(), 1) != 0) return;
-  // By its own path, so that the process keeps its name too.
+  // The program is restarted by its own path, so that the process keeps its name too.
   std::error_code error;
   const std::string program = std::filesystem::read_symlink("/proc/self/exe", error).string();
   if (!error) ::execv(program.c_str(), argv);

@@ -1,14 +1,15 @@
 #pragma once
 // The floating-point arithmetic of this process. armtune's own code is compiled for every x86-64 processor.
 // But the mathematical library of glibc has several variants of sin, exp, pow ..., for example with FMA or
-// AVX2. It selects one by processor, and their results differ in the last bit. armtune requests the variants
-// that run on every x86-64 processor (the baseline), so that all machines compute the same results.
+// AVX2. It selects a variant that fits the processor, and the results of the variants differ in the last bit.
+// armtune requests the variants that run on every x86-64 processor (the baseline), so that all machines
+// compute the same results.
 
 #include <string>
 
 namespace armtune::internal {
 
-/// Which variants of sin, exp and the like a process uses. They differ in their last bits.
+/// The variants of sin, exp and similar functions that a process uses.
 struct Arithmetic {
   std::string level;        ///< "baseline x86-64", or "of this processor" if the baseline is not available
   std::string fingerprint;  ///< hash of the results of elementary functions for fixed arguments

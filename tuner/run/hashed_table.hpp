@@ -1,6 +1,6 @@
 #pragma once
 // Reads a CSV file that armtune wrote, and computes the hash of exactly the bytes that were read. run.yaml
-// lists this hash. It belongs to the data that were used, even if the file is edited afterwards.
+// lists this hash. Thus it describes the data that were used, even if the file is edited afterwards.
 
 #include <string>
 

@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a file's name in letters that every file system takes, with its end kept where it is long.
+/// Returns a file's name with '_' for characters that some file systems refuse. A long name keeps only its
+/// end.
 std::string plain_name(const std::string& path) {
   constexpr std::size_t kLongest = 100;
   std::string name = fs::path(path).filename().string();
@@ -30,7 +31,7 @@ std::string plain_name(const std::string& path) {
   return name;
 }
 
-/// Returns the names of the copies that are whole, sorted.
+/// Returns the names of the complete copies, sorted.
 std::set<std::string> copies_in(const std::string& folder) {
   std::set<std::string> names;
   std::error_code none;
@@ -56,7 +57,7 @@ std::string copy_path(const std::string& folder, const std::string& name) {
   return fmt::format("{}/{}/{}", folder, kInputCopies, name);
 }
 
-/// Returns true if the name is one that `keep_inputs` gives to a copy of a file whose plain name this is.
+/// Returns true if `keep_inputs` gives names of this form to copies of a file with this plain name.
 bool is_numbered(const std::string& name, const std::string& plain) {
   const std::size_t digits = name.find_first_not_of("0123456789");
   return digits != 0 && digits != std::string::npos && name.substr(digits) == "_" + plain;

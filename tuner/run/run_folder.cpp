@@ -49,9 +49,9 @@ std::string processor() {
   return "unknown";
 }
 
-/// What can be told before any work: that files could not be made in the folder, or not be told of.
+/// Refuses a path that is too long for the files below it, or that result files could not contain.
 void refuse_unusable_path(const std::string& folder) {
-  // Below it stand "rollouts_<label>/rollout_<scenario>.csv.partial" and shorter ones.
+  // The longest path below it is "rollouts_<label>/rollout_<scenario>.csv.partial".
   constexpr std::size_t kBelow = 2 * kLongestName + 40;
   if (folder.size() + kBelow > PATH_MAX) {
     throw InputError(InputPlace{folder},
@@ -91,7 +91,7 @@ FolderLock make_run_folder(const std::string& folder) {
   make_folder(folder);
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const int reason = errno;
-  const auto take_away = [&] {  // nothing but an empty folder
+  const auto take_away = [&] {  // only if it is empty
     std::error_code ignored;
     if (is_new) fs::remove(folder, ignored);
   };
@@ -102,13 +102,13 @@ FolderLock make_run_folder(const std::string& folder) {
                                  std::generic_category().message(reason)));
   }
   FolderLock lock(descriptor);
-  // Where a file system locks no folders, what is in it has to do.
+  // If the file system cannot lock folders, only the contents of the folder show another run.
   if (!lock.take() && errno == EWOULDBLOCK) {
     throw InputError(InputPlace{folder},
                      "another run is about to write into this folder; name another folder with --out");
   }
   try {
-    refuse_used_folder(folder);  // by one that has ended meanwhile
+    refuse_used_folder(folder);  // a run that has ended meanwhile may have used it
   } catch (const InputError&) {
     take_away();
     throw;

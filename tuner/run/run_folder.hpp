@@ -26,8 +26,8 @@ class FolderLock {
   }
   ~FolderLock();
 
-  /// Takes the lock. If that fails, returns false with the reason in errno; mostly another process has taken
-  /// the lock before.
+  /// Takes the lock. If that fails, returns false with the reason in errno; usually another process has the
+  /// lock.
   bool take();
 
  private:

@@ -6,7 +6,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Two-sided 95 % of a normal variable.
+/// Quantile of the standard normal distribution for a two-sided 95 % interval.
 constexpr double kNormal95 = 1.959963984540054;
 
 }  // namespace
@@ -36,7 +36,7 @@ std::pair<double, double> wilson_interval(std::size_t successes, std::size_t tri
   const double z2 = kNormal95 * kNormal95;
   const double center = (p + 0.5 * z2 / n) / (1.0 + z2 / n);
   const double half = kNormal95 / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + 0.25 * z2 / (n * n));
-  // Where none or all succeeded the end is exact, without the rounding of the root.
+  // If no trial or every trial succeeded, that end is exactly 0 or 1, without the rounding of the root.
   return {successes == 0 ? 0.0 : center - half, successes == trials ? 1.0 : center + half};
 }
 

@@ -18,7 +18,7 @@ double quantile(std::span<const double> sorted, double p);
 double conditional_value_at_risk(std::span<const double> sorted, double p);
 
 /// Returns the 95 % confidence interval of a probability after `successes` in `trials` (>= 1) (Wilson, 1927).
-/// Unlike the interval of the normal approximation, it is valid for yields near 1.
+/// Unlike the interval of the normal approximation, it is also valid for probabilities near 0 or 1.
 std::pair<double, double> wilson_interval(std::size_t successes, std::size_t trials);
 
 }  // namespace armtune::internal

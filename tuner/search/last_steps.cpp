@@ -6,7 +6,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Without these there is no result: the best, the best inside the box, the best of the sweep.
+/// Largest number of points that to_judge() returns: the best ones, the best inside the bounds of the search,
+/// and the best of the sweep. Without them there is no result.
 constexpr long kToJudge = static_cast<long>(Seen::kBest) + 2;
 
 }  // namespace
@@ -36,7 +37,7 @@ Engine engine_of_search(const Study& study) {
 }
 
 long evaluations_to_search(const Study& study) {
-  const bool native = engine_of_search(study) != Engine::kSimbody;  // has a start of its own
+  const bool native = engine_of_search(study) != Engine::kSimbody;  // it simulates the start gains too
   return study.max_evaluations - 1 - (native ? 1 + kept_evaluations(study) : 0);
 }
 

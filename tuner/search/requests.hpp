@@ -19,9 +19,9 @@ std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const
                                      const std::function<bool(const SolverPoint&)>& known,
                                      const std::function<bool(std::size_t search)>& allowed);
 
-/// Gives each request the values of its points, up to the first point without a value. go_on: false ends the
-/// searches. value: returns the value of a point for the search with this index, or none if the point was not
-/// simulated.
+/// Gives each request the values of its points, up to the first point without a value. go_on: if false, the
+/// searches end. value: returns the value of a point for the search with this index, or nothing if the point
+/// was not simulated.
 void answer(std::vector<Request>& requests, bool go_on,
             const std::function<std::optional<SolverValue>(std::size_t search, const SolverPoint&)>& value);
 

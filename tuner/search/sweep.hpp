@@ -1,6 +1,6 @@
 #pragma once
-// Lists the points of a study's coarse sweep: a small grid around the start gains, like the values that a
-// person would try by hand. Each axis of the grid multiplies some gains by a few factors.
+// Lists the points of a study's coarse sweep. The sweep is a small grid around the start gains, like the
+// values that a person would try by hand. Each axis of the grid multiplies some gains by a few factors.
 
 #include <vector>
 

@@ -19,7 +19,7 @@
 namespace armtune::internal {
 namespace {
 
-/// A study without a warm start begins at its start gains.
+/// Returns the start gains as a warm start, for a study that has no other.
 WarmStart at_start(const Study& study) {
   WarmStart warm;
   warm.gains = study.space.start;
@@ -28,7 +28,7 @@ WarmStart at_start(const Study& study) {
 
 constexpr const char* kSweep = "sweep";
 
-/// One run of the loop: what was seen so far and how to see more.
+/// One run of the search, with the evaluations that it has made so far.
 class Run {
  public:
   Run(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
@@ -40,33 +40,33 @@ class Run {
 
   bool start();
   bool sweep();
-  /// From where the search begins to why it ended.
+  /// Simulates the point of a warm start, then runs the searches. Sets the reason why they ended.
   void search();
-  /// The last steps of a search in the native engine: what it found, judged and refined by Simbody.
+  /// Makes the last steps after a search in the native engine: Simbody evaluates and refines the best gains.
   void verify();
-  /// Where what was found has a fault, takes what has none on the way back to the start.
+  /// If the best gains have a fault, looks for gains without one between the start gains and the best gains.
   void turn_back();
   void interrupt();
   TuneResult result() &&;
 
  private:
-  /// Simulates candidates and takes them in, in order. False if the run was interrupted.
+  /// Simulates candidates, and passes them to take_in() in order. Returns false if the run was interrupted.
   bool evaluate(const std::vector<Candidate>& candidates);
   void take_in(const char* phase, Evaluation e);
   Seen& seen() { return seen_[engine_]; }
-  /// Evaluations that the run may have when the engine is done.
+  /// Returns the number of evaluations that the run may have when the search in this engine ends.
   long most_in(Engine engine) const {
     return study_.max_evaluations - (engine == Engine::kSimbody ? 0 : kept_evaluations(study_));
   }
-  /// Evaluations until there are `most`; none once time is up.
+  /// Returns how many evaluations are left until the run has `most`; 0 if time is up.
   std::size_t evaluations_left(long most);
   std::string budget_used_up() const;
   bool begin_warm();
-  /// A search in the box, as the study has it.
+  /// Returns a search that starts at x, with the bounds of box_ and the study's options.
   JoinedSearch search_from(const std::vector<double>& x);
-  /// The global search, if there is one: its share of evaluations and minutes. False if interrupted.
+  /// Runs the global search with its share of evaluations and minutes. Returns false if it was interrupted.
   bool search_globally(JoinedSearch search);
-  /// Runs searches together until the run has `most` evaluations. False if interrupted.
+  /// Runs searches at the same time until the run has `most` evaluations. Returns false if interrupted.
   bool search_together(const char* phase, const std::vector<JoinedSearch>& searches, long most);
   void serve(const char* phase, std::vector<Request>& requests, long most);
   std::string reason(const std::vector<SolverOutcome>& outcomes) const;
@@ -74,14 +74,14 @@ class Run {
   const Study& study_;
   const TuneCallbacks& callbacks_;
   Evaluator evaluator_;
-  WarmPoint box_;                     ///< where the search begins and what it keeps to
-  Engine engine_ = Engine::kSimbody;  ///< that simulates now
+  WarmPoint box_;                     ///< start and bounds of the search
+  Engine engine_ = Engine::kSimbody;  ///< engine that simulates now
   std::map<Engine, Seen> seen_;
   std::optional<Evaluation> best_of_sweep_;
-  std::optional<Evaluation> last_;       ///< evaluation that was taken in
-  std::optional<Evaluation> faultless_;  ///< on the way back from a best that has a fault
-  double kept_ = 0.0;                    ///< of the minutes for Simbody's last steps [s]
-  double seconds_ = 0.0;                 ///< wall time at the last evaluation, as the journal has it [s]
+  std::optional<Evaluation> last_;       ///< latest evaluation
+  std::optional<Evaluation> faultless_;  ///< gains that replace best gains with a fault
+  double kept_ = 0.0;                    ///< time reserved for Simbody's last steps [s]
+  double seconds_ = 0.0;                 ///< wall time at the latest evaluation, as in the journal [s]
   TuneResult out_;
 };
 
@@ -119,7 +119,7 @@ bool Run::start() {
   if (engine == Engine::kSimbody) return true;
   kept_ = kept_seconds(study_, seen().start->seconds);
   evaluator_.use(Minutes::kSearch, kept_);
-  if (evaluations_left(most_in(engine)) == 0) {  // too little time for two engines is Simbody's
+  if (evaluations_left(most_in(engine)) == 0) {  // too little time for both engines: Simbody searches
     kept_ = 0.0;
     evaluator_.use(Minutes::kRun);
     return true;
@@ -175,7 +175,7 @@ bool Run::search_together(const char* phase, const std::vector<JoinedSearch>& se
   return !out_.interrupted;
 }
 
-/// Simulates where a warm start begins. False if there is no search after it.
+/// Simulates the point of a warm start. Returns false if no search follows.
 bool Run::begin_warm() {
   if (!study_.warm || seen().at(box_.x)) return true;
   if (evaluations_left(most_in(engine_)) == 0) {
@@ -201,7 +201,7 @@ bool Run::search_globally(JoinedSearch search) {
   search.options.algorithm = global_of(study_);
   const long left = std::max(0L, most_in(engine_) - out_.evaluations);
   const long share = std::lround(study_.global_share * static_cast<double>(left));
-  // The clock as it stood at the last evaluation: the same in a resumed run.
+  // The time of the latest evaluation is used, because it is the same in a resumed run.
   const double rest = std::max(0.0, 60.0 * study_.max_minutes - kept_ - seconds_);
   evaluator_.use(Minutes::kGlobal, kept_ + (1.0 - study_.global_share) * rest);
   const bool whole = search_together("global", {search}, out_.evaluations + share);
@@ -229,7 +229,7 @@ void Run::verify() {
   if (engine_ == Engine::kSimbody || out_.interrupted) return;
   const long most = std::min(study_.max_evaluations, out_.evaluations + kept_evaluations(study_));
   const std::string searched = out_.reason;
-  // These few are simulated also when time is up: without them there is no result.
+  // These few points are simulated even if time is up, because there is no result without them.
   const auto candidates = to_judge(seen(), best_of_sweep_, seen_[Engine::kSimbody]);
   engine_ = Engine::kSimbody;
   evaluator_.use(Minutes::kRun);
@@ -276,7 +276,7 @@ TuneResult Run::result() && {
   const Seen& judged = seen_[Engine::kSimbody];
   out_.start = *judged.start;
   out_.best = judged.best().front();
-  // Interrupted, it may end with what Simbody has not seen yet.
+  // The best gains of an interrupted run may be gains that Simbody has not simulated yet.
   for (const auto& [engine, seen] : seen_) {
     if (out_.interrupted && !seen.best().empty() && better(seen.best().front(), out_.best)) {
       out_.best = seen.best().front();
@@ -284,7 +284,7 @@ TuneResult Run::result() && {
   }
   if (faultless_ && !out_.interrupted) out_.best = *faultless_;
   if (best_of_sweep_ && best_of_sweep_->engine != Engine::kSimbody) {
-    // The start is seen already and not simulated again.
+    // If the best of the sweep is the start, Simbody does not simulate it again. Its evaluation is known.
     best_of_sweep_ = best_of_sweep_->x == out_.start.x ? std::optional(out_.start) : std::nullopt;
   }
   out_.best_of_sweep = best_of_sweep_;

@@ -1,7 +1,8 @@
 #pragma once
-// Searches for better gains. It evaluates the start gains, then a coarse sweep, then a global search if the
-// study has one, then local searches from one or more points. If the study searches in armtune's own dynamics
-// (the native engine), Simbody still simulates the start gains first, and evaluates and refines the result.
+// Searches for better gains (`armtune tune`). First, the start gains and a coarse sweep are evaluated. Then a
+// global search follows, if the study has one, and then local searches from one or more points. If the study
+// searches in armtune's own dynamics (the native engine), Simbody still simulates the start gains first, and
+// evaluates and refines the result.
 
 #include <array>
 #include <atomic>
@@ -23,19 +24,19 @@ struct TuneProgress {
 };
 
 struct TuneCallbacks {
-  /// Called once, when the start gains were simulated and the objective is known.
+  /// Called once, after the start gains were simulated, when the objective is known.
   std::function<void(const Objective&)> begin;
   /// Called for every evaluation, in order, also for those recalled from a journal. One call at a time, from
   /// any thread. `phase` is one of these:
   ///   - start, sweep, global, search;
   ///   - warm: the point where a warm start begins;
-  ///   - gradient: points from which a search forms derivatives;
-  ///   - verify: after a search in another engine, the best gains in Simbody. Also points between the start
-  ///     gains and the best gains, if `fault` finds a fault in the best.
+  ///   - gradient: points for the finite differences of a search;
+  ///   - verify: the best gains of a search in another engine, simulated in Simbody; also points between the
+  ///     start gains and the best gains, if `fault` finds a fault in the best.
   std::function<void(const char* phase, const Evaluation&)> evaluated;
   std::function<void(const TuneProgress&)> progress;  ///< called like `evaluated`
-  /// Checks gains in ways that take too long for every evaluation, and returns the fault that it finds, or an
-  /// empty text. No function: there are no such checks. See TuneResult::best.
+  /// Makes checks of gains that take too long to be made for every evaluation. Returns the fault that it
+  /// finds, or an empty text. No function: no such checks are made. See TuneResult::best.
   std::function<std::string(const Gains&)> fault;
 };
 
@@ -46,22 +47,22 @@ inline constexpr std::array kSharesOfTheWay = {0.5, 0.25, 0.1};
 struct TuneResult {
   Evaluation start;
   std::optional<Evaluation> best_of_sweep;  ///< as simulated by Simbody
-  /// The best evaluation; feasible if any feasible point was seen. It was simulated in Simbody, unless the
-  /// run was interrupted while it searched in another engine; its `engine` shows which. If it has a fault
-  /// (TuneCallbacks::fault), points between the start gains and the best gains are tried (kSharesOfTheWay).
-  /// The first of them that has no fault, is feasible and is better than the start takes its place. Without
-  /// such a point, it remains the best in spite of its fault.
+  /// The best evaluation. It is feasible if any feasible point was seen. It was simulated in Simbody, unless
+  /// the run was interrupted while it searched in another engine; `best.engine` shows which. If the best
+  /// gains have a fault (TuneCallbacks::fault), points between the start gains and these gains are tried
+  /// (kSharesOfTheWay). The first of these points that has no fault, is feasible and is better than the start
+  /// becomes the best. If there is none, the gains with the fault remain the best.
   Evaluation best;
   long evaluations = 0;
   bool interrupted = false;
   std::string reason;       ///< why the search ended
-  std::string passed_over;  ///< if `best` lies between start and best gains: what it replaces, why
+  std::string passed_over;  ///< why `best` replaces better gains that have a fault; empty: it does not
 };
 
-/// Runs the search of the study. The result depends on the study alone, unless max_minutes is set. `stop`:
-/// set from outside to end the run; the rollouts that are running are then dropped. journal: evaluations are
-/// recorded in it and, if the run is resumed, read from it. Throws InputError if the start gains give no
-/// reference for the objective.
+/// Runs the search of the study. The result depends on the study alone, unless max_minutes is set. stop: set
+/// from outside to end the run; rollouts (simulations) that are running are then discarded. journal: file in
+/// which evaluations are recorded, and from which a resumed run reads them. Throws InputError if the start
+/// gains give no reference for the objective.
 TuneResult tune(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
                 const TuneCallbacks& callbacks, Journal* journal = nullptr);
 

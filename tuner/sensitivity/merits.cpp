@@ -8,7 +8,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Merits that differ relatively by less are the same: engines differ by rounding, some 1e-13.
+/// Merits with a smaller relative difference count as equal. Rounding makes engines differ by about 1e-13.
 constexpr double kSame = 1e-6;
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace armtune::internal {
 namespace {
 
-/// A relative change of the merit below this is no effect.
+/// A smaller relative change of the merit counts as no effect.
 constexpr double kNoEffect = 1e-3;
 
 std::vector<double> ranks(const std::vector<double>& values) {
@@ -34,7 +34,7 @@ double clamp_to_box(double x) {
   return std::clamp(x, 0.0, 1.0);
 }
 
-/// "complete", or which figures there are not, and why.
+/// Returns "complete", or the names of the missing figures, each with the reason.
 std::string missing(const ParameterSensitivity& s) {
   std::string text;
   const auto add = [&text](const char* figure, const char* why) {
@@ -175,7 +175,8 @@ Study without_less_important_half(const Study& study, const Sensitivity& sensiti
     place[i] = reduced.space.free.size();
     reduced.space.free.push_back(study.space.free[i]);
   }
-  // What followed a gain that is fixed now stays at its own start, which the start gains hold.
+  // A gain that was linked to a gain that is now fixed keeps its own start value, which is in the start
+  // gains.
   std::erase_if(reduced.space.links, [&](const Link& link) { return place[link.parameter] == kGone; });
   for (Link& link : reduced.space.links) link.parameter = place[link.parameter];
   for (SweepAxis& axis : reduced.sweep) {

@@ -31,8 +31,8 @@ struct ParameterSensitivity {
   /// Spearman's rank correlation between the parameter and the merit over the evaluations in the journal. NaN
   /// if there are fewer than three evaluations, or if the parameter never changed.
   double rank_correlation = 0.0;
-  /// By how much the merit becomes worse (higher) if this gain alone is set back to its start value: the
-  /// gain's part in the improvement.
+  /// Increase of the merit if this gain alone is set back to its start value. This is the gain's part in the
+  /// improvement, because a higher merit is worse.
   double importance = 0.0;
 };
 

@@ -28,7 +28,7 @@ CompareOutcome CompareSession::run() {
     require_recording_memory(settings_.scenarios, settings_.record_every, settings_.workers);
   const FolderLock lock = make_run_folder(folder);
   if (!simulate_sets()) return std::move(outcome_);
-  if (!folder.empty()) write_files();  // an endurance may take hours
+  if (!folder.empty()) write_files();  // before the endurance, which may take hours
   check();
   if (!folder.empty()) write_conclusion();
   if (!context_.stop) {
@@ -37,12 +37,12 @@ CompareOutcome CompareSession::run() {
   return std::move(outcome_);
 }
 
-/// Where a set's gains and recordings are.
+/// Returns the folder of a set's gains and recordings.
 std::string CompareSession::recordings_of(const std::string& set) const {
   return settings_.folder + "/rollouts_" + set;
 }
 
-/// Returns false, and leaves nothing, if interrupted.
+/// Simulates all gain sets. If interrupted, removes their files and returns false.
 bool CompareSession::simulate_sets() {
   for (const GainsToSimulate& set : sets_) {
     const std::string below = settings_.folder.empty() ? "" : recordings_of(set.name);
@@ -62,7 +62,7 @@ bool CompareSession::simulate_sets() {
   return false;
 }
 
-/// Checks all gain sets together: each failure names the set that it belongs to.
+/// Checks all gain sets in one verdict. Each failure names its gain set.
 void CompareSession::check() {
   bool extended = true;
   for (std::size_t i = 0; i < sets_.size(); ++i) {

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kLevelsForTwo = 12;
 constexpr std::size_t kLevelsForThree = 4;
 
-/// The criteria that are metrics: the study need not look at them.
+/// Returns a column for each criterion that is a metric, because the study itself may not use this metric.
 std::vector<ExtraColumn> criteria_columns(const Study& study, const ParetoOptions& options) {
   std::vector<ExtraColumn> columns;
   for (const Criterion& c : options.criteria) {
@@ -145,7 +145,7 @@ void FrontSession::search(RankGroup& ranks, CandidateRunner& workers) {
                   run_ ? &run_->journal() : nullptr);
   if (evaluations_) evaluations_->finish();
   observer_.part_is_over();
-  // First as the search saw it: whatever becomes of the rest, the front is there.
+  // The front is first written as the search found it, so that it is not lost if a later step fails.
   if (writes() && !result.front.empty()) write_front();
   if (result.failure) std::rethrow_exception(result.failure);
   if (result.evaluations > 0 && !result.interrupted) {
@@ -172,12 +172,12 @@ void FrontSession::write_front() const {
     }
     write_text_file(folder() + "/" + point_file(i), gains_yaml(p.e.gains, header));
   }
-  // Those of a longer front that was written before.
+  // Removes the points of a longer front that was written before.
   for (std::size_t i = result.front.size(); std::filesystem::remove(folder() + "/" + point_file(i)); ++i) {
   }
 }
 
-/// What the report replays: the start, and the point with the least of the first criterion.
+/// Returns the scene of the report: the start, and the point with the best first criterion.
 report::Scene FrontSession::scene(bool recorded) const {
   std::vector<report::SceneSet> sets = {{"start", "start", "start/errors.csv"}};
   if (recorded) {

@@ -18,7 +18,7 @@ namespace armtune::internal {
 struct FrontSettings {
   RunPlace place = {};
   std::vector<std::string> criteria;  ///< names of two or three criteria; the first is minimised
-  std::size_t levels = 0;             ///< levels of each other criterion; 0: 12, or 4 with three criteria
+  std::size_t levels = 0;             ///< limits tried for each other criterion; 0: 12, or 4 with three
   long max_evaluations = 0;           ///< 0: four times the number in the study
   int workers = 1;                    ///< number of threads
   double deadline = 0.0;              ///< for one rollout, wall clock [s]; 0: derived from its duration

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr double kPatience = 10.0;  ///< [s]; ranks of a killed run are gone by then
 
-/// Removes what a run that has just begun has in its folder but for its journal, and the folder if nothing
-/// else is in it: a journal would be another run's.
+/// Removes the files of a run that has just begun, except its journal. Then removes the folder if it is
+/// empty. A journal in it would belong to another run.
 void discard_folder(const std::string& folder) {
   std::error_code ignored;
   const fs::path warm = fs::path(folder) / kWarmGains;
@@ -28,14 +28,14 @@ void discard_folder(const std::string& folder) {
   fs::remove(folder, ignored);
 }
 
-/// Takes away the folder of a new run that ended before anything was finished.
+/// Removes the folder of a new run that ended before anything was finished.
 void discard_run(const std::string& folder) {
   std::error_code ignored;
   fs::remove(folder + "/" + kJournal, ignored);
   discard_folder(folder);
 }
 
-/// Begins a journal, behind what is written first.
+/// Calls write_first, begins a journal, and copies the inputs.
 std::unique_ptr<Journal> begin(const std::string& folder, const RunHeader& header,
                                const std::vector<std::string>& inputs,
                                const std::function<void()>& write_first) {
@@ -44,9 +44,9 @@ std::unique_ptr<Journal> begin(const std::string& folder, const RunHeader& heade
     if (write_first) write_first();
     journal = Journal::begin(folder + "/" + kJournal, header);
     keep_inputs(folder, inputs);
-  } catch (...) {  // it is not to be in the way of another try
+  } catch (...) {  // the folder must not prevent another try
     const bool begun = journal != nullptr;
-    journal.reset();  // where files that can be opened were lacking, its own is needed to remove the others
+    journal.reset();  // if the process ran out of file descriptors, removing needs this one
     begun ? discard_run(folder) : discard_folder(folder);
     throw;
   }
@@ -70,7 +70,7 @@ std::string journal_in(const std::string& folder) {
   return find_run_file(folder, kJournal).value_or(folder + "/" + kJournal);
 }
 
-/// Where this code was loaded from: the program, or a library such as the Python module.
+/// Returns the file with this code: the program, or a library such as the Python module.
 static std::string code_path() {
   Dl_info info{};
   const bool known =
@@ -78,7 +78,8 @@ static std::string code_path() {
   const fs::path path = known ? info.dli_fname : "";
   constexpr const char* kProgram = "/proc/self/exe";
   std::error_code error;
-  // A program has the name that it was called by here, which may be another file's below the current folder.
+  // For a program, dli_fname is the name by which it was called. Another file in the current folder may have
+  // this name.
   const bool library = path.is_absolute() && !fs::equivalent(path, kProgram, error) && !error;
   return library ? path.string() : kProgram;
 }

@@ -12,8 +12,8 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kLeastSeconds = 3.0;  ///< between two pages
-constexpr double kShare = 20.0;        ///< of the time that is not spent on them
+constexpr double kLeastSeconds = 3.0;  ///< shortest time between two pages [s]
+constexpr double kShare = 20.0;        ///< writing takes at most 1 / kShare of the time
 
 }  // namespace
 

@@ -66,7 +66,7 @@ RunHeader MonteCarloSession::header() const {
     uncertainty += fmt::format("{}: {}\n", f.name, options.perturbation.*f.width);
   }
   uncertainty += fmt::format("phases: {}\n", options.perturbation.phases);
-  std::string names;  // a record's results are in their order
+  std::string names;  // the order of the results in a record
   for (const Scenario& scenario : settings_.scenarios) names += scenario.name + '\n';
   std::string limits;
   for (const MetricLimit& limit : options.limits) limits += to_string(limit) + '\n';
@@ -89,7 +89,7 @@ void MonteCarloSession::begin() {
   run_->keep();
 }
 
-/// Every whole sample goes to the journal, and to samples.csv as soon as all before it are whole.
+/// Writes every complete sample to the journal, and to samples.csv as soon as all before it are complete.
 void MonteCarloSession::keep_samples() {
   MonteCarloOptions& options = settings_.options;
   rows_.emplace(folder() + "/samples.csv", AppendFile::Open::kReplace);
@@ -121,7 +121,7 @@ void MonteCarloSession::draw(RolloutPool& pool) {
     if (run_ && run_->can_resume()) observer_.can_resume(folder());
     throw;
   }
-  // Interrupted, those before the first gap: what samples.csv holds.
+  // After an interruption, keeps the samples before the first gap, as samples.csv does.
   const auto gap =
       std::find_if(samples.begin(), samples.end(),
                    [next = options.first](const MonteCarloSample& s) mutable { return s.number != next++; });
@@ -164,7 +164,7 @@ void MonteCarloSession::write_results(int workers) {
   outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());
 }
 
-/// The one arm that was drawn, as files that other programs read.
+/// Writes the only random arm as files that other programs can read.
 void MonteCarloSession::write_arm() {
   const MonteCarloOptions& options = settings_.options;
   const Scenario drawn =
@@ -175,7 +175,7 @@ void MonteCarloSession::write_arm() {
   }
 }
 
-/// What the report replays: the arm of the scenarios themselves.
+/// Returns the scene of the report, which shows the nominal arm.
 report::Scene MonteCarloSession::scene() const {
   const std::string label = settings_.gains_path.empty() ? "gains" : stem(settings_.gains_path);
   report::SceneSet nominal = {label, "nominal", "nominal/errors.csv"};

@@ -42,7 +42,7 @@ std::vector<std::string> add_report(const std::string& folder, const std::functi
 report::SceneSet record_set(const std::string& name, const std::string& folder, const std::string& below,
                             const std::vector<Scenario>& scenarios, const Gains& gains,
                             const RecordOptions& options) {
-  const std::atomic<bool> never{false};  // seconds, at the end of a run that took much longer
+  const std::atomic<bool> never{false};  // takes only seconds, at the end of a long run
   SimulateOptions how;
   how.stepper = options.stepper;
   how.workers = options.workers;

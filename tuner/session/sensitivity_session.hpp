@@ -16,7 +16,7 @@ namespace armtune::internal {
 
 struct SensitivitySettings {
   std::string run;     ///< folder of the finished run
-  Study study;         ///< the run's
+  Study study;         ///< study of the run
   std::string folder;  ///< empty: nothing is written
   int workers = 1;
   double deadline = 0.0;  ///< for one rollout, wall clock [s]; 0: derived from its duration

@@ -73,7 +73,7 @@ SimulateOutcome SimulateSession::run() {
                               simulate_options(settings_, folder, gains_.name, observer_), context_.stop);
   outcome_.seconds = watch.seconds();
   observer_.part_is_over();
-  if (!folder.empty()) write_files();  // before what takes longer: an endurance may take hours
+  if (!folder.empty()) write_files();  // before the endurance, which may take hours
   outcome_.endured = extend_scenarios(settings_, gains_, observer_, context_.stop);
   add_unchecked(settings_.scenarios,
                 check_rollouts(settings_, outcome_.results, outcome_.endured, "", outcome_.verdict),

@@ -97,7 +97,8 @@ std::string write_warm(const Study& study, const std::string& folder) {
   std::string file = kWarmGains;
   const std::string path = folder + "/" + file;
   std::error_code none;
-  // A resumed run reads them from there: they keep the word on where they came from.
+  // A resumed run reads the gains from this file. It is not written again, so that it keeps its comment on
+  // where they came from.
   if (std::filesystem::equivalent(path, study.warm->source, none)) return file;
   make_folder(folder + "/start");
   write_text_file(path,

@@ -13,7 +13,7 @@
 namespace armtune::internal {
 namespace {
 
-/// The first check that failed, in words; empty: none did.
+/// Returns the first check that failed as a text; empty if none failed.
 std::string failed(const SimulationVerdict& verdict) {
   const auto found = std::find_if(verdict.checks.begin(), verdict.checks.end(),
                                   [](const Check& check) { return !check.passed; });
@@ -62,7 +62,7 @@ std::string TuneSession::fault_of(const Gains& gains) {
   return failed(*made_.yield);
 }
 
-/// What the search has asked for already is not simulated again.
+/// Checks the yield. Results that the search has asked for already are used again.
 void TuneSession::check_yield() {
   const Gains& gains = outcome_.result.best.gains;
   if (made_.yield && made_.gains == gains_yaml(gains, {})) {
@@ -90,9 +90,9 @@ void TuneSession::check_endurance() {
   add_endurance_checks(made_.endured, study_.thresholds, "", verdict);
 }
 
-/// Makes every check of the search's result: constraints, the start, the arm's own limits in the study's
-/// scenarios and, where it was analysed, margins, random arms and endurance. What was left out stands under
-/// "Not checked".
+/// Makes every check of the search's result: constraints, improvement over the start, and the arm's own
+/// limits in the study's scenarios. If the result was analysed, also checks margins, random arms and
+/// endurance. Otherwise lists these under "Not checked".
 void TuneSession::check(bool analysed) {
   const TuneResult& result = outcome_.result;
   SimulationVerdict& verdict = outcome_.verdict;

@@ -15,9 +15,9 @@ std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& re
                                         const TuneSettings& settings);
 
 /// Simulates all arms of a study that tunes on several arms again, with the start gains and with the
-/// resulting gains. Returns the risk measures of the metrics over the arms for both gain sets. If the run has
-/// a folder, writes these measures as robust_errors.csv. Throws FailedError if they differ from those that
-/// the search computed in Simbody.
+/// resulting gains. Returns the risk measures of the metrics over the arms, such as the worst values, for
+/// both gain sets. If the run has a folder, writes these measures as robust_errors.csv. Throws FailedError if
+/// they differ from those that the search computed in Simbody.
 std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResult& result,
                                              const TuneSettings& settings, RankGroup& ranks);
 
@@ -34,7 +34,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder);
 
 /// Writes errors.csv of every gain set, and columns.csv. sets: start, result and perhaps given; yardsticks:
-/// one for the start and one for the result.
+/// comparisons with the best possible motions, one for the start and one for the result.
 void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
                   const std::vector<YardstickFiles>& yardsticks, const std::string& folder);
 

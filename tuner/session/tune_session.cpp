@@ -36,7 +36,7 @@ std::optional<TuneOutcome> TuneSession::run(RankGroup& ranks) {
   warn_of_given(study_, observer_);
   warn_of_clamped(study_, observer_);
   warn_of_doubts(study_.scenarios, observer_);
-  // Before the start gains are simulated: a task that none can do may be why they do not complete it.
+  // Warns before the start gains are simulated. If no gains can do the task, this explains their failure.
   for (const Scenario& scenario : study_.scenarios) {
     for (const std::string& warning : warn_of_task(scenario, study_.space.start, observer_))
       task_warnings_.push_back(warning);
@@ -45,7 +45,7 @@ std::optional<TuneOutcome> TuneSession::run(RankGroup& ranks) {
   count_ = workers.count();
   search(workers);
   const TuneResult& result = outcome_.result;
-  // Launchers of ranks that pass on a signal kill soon after.
+  // A launcher of ranks that passes on a signal kills the ranks soon after.
   if (result.evaluations == 0 || (result.interrupted && ranks.several())) {
     run_.reset();
     return std::move(outcome_);
@@ -77,7 +77,7 @@ void TuneSession::search(CandidateRunner& workers) {
   if (writes() && outcome_.result.evaluations > 0) write_gains(study_, outcome_.result, folder());
 }
 
-/// What the search finds is on disk before it continues.
+/// Runs the search. Every evaluation is on disk before the search continues.
 TuneResult TuneSession::search_with_files(CandidateRunner& workers) {
   std::optional<EvaluationsFile> file;
   std::optional<LiveReport> live;
@@ -120,13 +120,13 @@ TuneResult TuneSession::search_with_files(CandidateRunner& workers) {
     const auto failure = std::current_exception();
     try {
       if (file && so_far.evaluations > 0) write_gains(study_, so_far, folder());
-    } catch (const std::exception&) {  // the first failure is the one to tell
+    } catch (const std::exception&) {  // the first failure is the one to report
     }
     std::rethrow_exception(failure);
   }
 }
 
-/// Fresh rollouts of both gain sets, start and result: the figures that are reported, and the recordings.
+/// Simulates the start gains and the resulting gains again, for the reported figures and the recordings.
 void TuneSession::verify(RankGroup& ranks) {
   TuneResult& result = outcome_.result;
   observer_.progressed({"simulating the start gains and the tuned gains again"});
@@ -149,7 +149,7 @@ void TuneSession::verify(RankGroup& ranks) {
   write_reports();
 }
 
-/// errors.csv of both, columns.csv, run.yaml.
+/// Writes errors.csv of every gain set, columns.csv and run.yaml.
 void TuneSession::write_reports() {
   write_errors(study_, outcome_.sets, yardsticks_, folder());
   write_provenance(folder(), tune_provenance(study_, outcome_.result, context_.invocation, count_,
@@ -183,7 +183,8 @@ bool TuneSession::analyse(CandidateRunner& workers) {
   return true;
 }
 
-/// The robot's own file with gains that passed every check, none of them left out.
+/// Writes the ROS parameter file with the resulting gains, for gains that passed every check. If that fails,
+/// only warns.
 void TuneSession::write_controllers_if_any() {
   try {
     outcome_.controllers = write_controllers(study_, outcome_.result.best.gains, folder());

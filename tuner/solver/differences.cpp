@@ -5,7 +5,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Other coordinates that coordinate i takes: one or two. None where the box has no width.
+/// Returns the one or two values of coordinate i for its difference; none if its bounds are equal.
 std::vector<double> stencil(const SolverProblem& problem, const SolverOptions& options, std::size_t i,
                             double xi) {
   const double below = xi - problem.lower_bound(i);

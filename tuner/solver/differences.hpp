@@ -1,5 +1,6 @@
 #pragma once
-// Derivatives by finite differences: the points to evaluate, and the gradients that follow from their values.
+// Computes derivatives by finite differences: first the points to evaluate, then the gradients from their
+// values.
 
 #include <vector>
 
@@ -9,7 +10,7 @@ namespace armtune::internal {
 
 /// Returns the points that the derivatives at x need besides x itself, coordinate by coordinate. All points
 /// lie inside the bounds of the problem. A step that would cross a bound is made in the other direction. If
-/// neither direction has room for the step, it goes to the bound that is farther away.
+/// it would cross a bound in both directions, it ends at the bound that is farther away.
 std::vector<std::vector<double>> difference_points(const SolverProblem& problem, const SolverOptions& options,
                                                    const std::vector<double>& x);
 

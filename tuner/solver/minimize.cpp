@@ -1,4 +1,4 @@
-// minimize of solver.hpp: answers an algorithm from what was evaluated for it, and asks for what is missing.
+// Implements minimize() of solver.hpp: answers an algorithm from known values, and requests missing values.
 
 #include <algorithm>
 #include <iterator>
@@ -10,21 +10,21 @@
 namespace armtune::internal {
 namespace {
 
-/// A search that asks this often in a row for points it knows is going round in a circle.
+/// A search that requests known points this often in a row is ended, because it only repeats itself.
 constexpr long kMostRepeats = 10000;
 
-/// One search's answers: what it is told, from what was evaluated for it.
+/// Answers the requests of one search, and stores the values that were evaluated for it.
 class Served {
  public:
   Served(const SolverProblem& problem, const SolverOptions& options) : problem_(problem), options_(options) {}
 
-  /// A point, with all differences around it in one batch where derivatives are asked for. False if the
-  /// search is to end.
+  /// Answers a request for the point x. If derivatives are requested, all points for differences around x are
+  /// evaluated in one batch. Returns false if the search must end.
   bool answer(const std::vector<double>& x, bool derivatives, SolverAnswer& out);
   bool circling() const { return repeats_ >= kMostRepeats; }
 
  private:
-  /// Asks for those of the points that are not known. False if the search is to end at once.
+  /// Requests the values of all points that are not known. Returns false if the search must end at once.
   bool fetch(const std::vector<SolverPoint>& points);
 
   const SolverProblem& problem_;

@@ -1,5 +1,5 @@
-// The only file that includes NLopt. Its C interface returns codes where the C++ one throws, among them
-// ROUNDOFF_LIMITED, which BOBYQA can return at the optimum.
+// The only file that includes NLopt. It uses NLopt's C interface, which returns codes where the C++ interface
+// throws. One of these codes is ROUNDOFF_LIMITED, which BOBYQA can return at the optimum.
 
 #include "tuner/solver/solver.hpp"
 
@@ -32,7 +32,7 @@ const std::vector<Offered>& offered() {
       {{"ESCH", false, false, false, true, "evolutionary"}, NLOPT_GN_ESCH},
       {{"ISRES", false, true, false, true, "evolutionary with stochastic ranking"}, NLOPT_GN_ISRES},
       {{"DIRECT_L", false, false, false, false, "dividing rectangles"}, NLOPT_GN_DIRECT_L},
-      // Beyond 32 parameters NLopt 2.7 writes behind its arrays.
+      // With more than 32 parameters, NLopt 2.7 writes beyond the ends of its arrays.
       {{"ORIG_DIRECT", false, true, false, false, "dividing rectangles", 32}, NLOPT_GN_ORIG_DIRECT},
       {{"MLSL", false, false, false, false, "many BOBYQA searches from low-discrepancy points"},
        NLOPT_GN_MLSL_LDS},
@@ -40,7 +40,7 @@ const std::vector<Offered>& offered() {
   return list;
 }
 
-/// Algorithms that were cut (docs/decisions.md), and what to use instead.
+/// An algorithm that was removed from armtune (docs/decisions.md), and the one to use instead.
 struct Cut {
   const char* name;
   const char* instead;
@@ -70,26 +70,26 @@ Optimizer create(nlopt_algorithm code, std::size_t n) {
   return {nlopt_create(code, static_cast<unsigned>(n)), nlopt_destroy};
 }
 
-/// A point that is asked for more often in a row than for its objective and its constraints is asked of the
-/// oracle again: CRS2 with a population that has become one point asks for nothing else, and never ends by
-/// itself.
+/// The oracle is called again for a point that NLopt requests more often than this in a row, more often than
+/// its objective and constraints need. Otherwise CRS2 might never end: once its population has shrunk to one
+/// point, it requests nothing else.
 constexpr long kMostRepeats = 8;
 
-/// What the callbacks share. NLopt asks for objective and constraints of a point in separate calls: the last
-/// point's answer is kept.
+/// The data that the callbacks share. NLopt requests objective and constraints of a point in separate calls.
+/// Therefore the answer at the last point is kept.
 struct Search {
   const SolverProblem* problem = nullptr;
   const Oracle* oracle = nullptr;
-  double penalty = 0.0;  ///< 0: constraints go to NLopt
+  double penalty = 0.0;  ///< per unit of violation; 0: NLopt handles the constraints
   nlopt_opt outer = nullptr;
   std::vector<double> x;
   SolverAnswer answer;
   bool known = false;
-  bool derivatives = false;  ///< known, too
+  bool derivatives = false;  ///< true if the derivatives are known, too
   bool stopped = false;
   std::exception_ptr error;
 
-  long repeats = 0;  ///< of the last point, in a row
+  long repeats = 0;  ///< further requests of the last point in a row
 
   void stop() {
     stopped = true;
@@ -106,7 +106,7 @@ struct Search {
       stopped = !(*oracle)(x, with_derivatives, answer);
       known = !stopped;
       derivatives = known && with_derivatives;
-    } catch (...) {  // an exception loses its message on its way through NLopt
+    } catch (...) {  // NLopt would lose the exception's message
       error = std::current_exception();
       stopped = true;
     }
@@ -144,7 +144,7 @@ void constraints(unsigned m, double* g, unsigned n, const double* x, double* gra
   if (gradients != nullptr) std::copy_n(answer.constraint_gradients.begin(), std::size_t{m} * n, gradients);
 }
 
-/// A first step that fits between the bounds in either direction, as BOBYQA wants it.
+/// Largest first step, as a share of the range. BOBYQA needs a step that fits between the bounds either way.
 constexpr double kMostOfWidth = 0.49;
 
 void set_box(nlopt_opt opt, const SolverProblem& problem, const SolverOptions& options) {
@@ -205,7 +205,8 @@ const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t paramete
   return info;
 }
 
-/// NLopt accepts a start that is not a number, and says of bounds only that they are wrong.
+/// Throws InputError if the start is outside its bounds. NLopt itself accepts a start that is NaN, and does
+/// not report which bound is wrong.
 void check_start(const SolverProblem& problem) {
   for (std::size_t i = 0; i < problem.start.size(); ++i) {
     const double lower = problem.lower_bound(i);
@@ -222,7 +223,7 @@ SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& o
   check_start(problem);
   const Offered& chosen = find(options.algorithm);
   const std::size_t n = problem.start.size();
-  nlopt_srand(options.seed);  // of this thread only
+  nlopt_srand(options.seed);  // applies to this thread only
 
   Optimizer inner = create(chosen.code, n);
   set_box(inner.get(), problem, options);

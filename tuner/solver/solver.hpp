@@ -1,6 +1,6 @@
 #pragma once
-// A small interface to the optimisation algorithms of NLopt, with which armtune searches for gains. NLopt's
-// own types stay in solver.cpp.
+// Offers a small interface to the optimisation algorithms of the library NLopt, with which armtune searches
+// for gains. NLopt's own types are used only in solver.cpp.
 
 #include <cstdint>
 #include <functional>
@@ -35,7 +35,7 @@ struct SolverProblem {
   double upper_bound(std::size_t i) const { return upper.empty() ? 1.0 : upper[i]; }
 };
 
-/// The way in which an algorithm is made to respect constraints.
+/// The way in which constraints are handled.
 enum class ConstraintHandling {
   kAuto,        ///< the algorithm handles them itself if it can; otherwise as kLagrangian
   kLagrangian,  ///< NLopt's augmented Lagrangian around the algorithm
@@ -44,7 +44,7 @@ enum class ConstraintHandling {
 
 /// The way in which derivatives are formed, for algorithms that use them.
 enum class Differences {
-  kForward,  ///< one further point per coordinate, in the other direction at an upper bound
+  kForward,  ///< one further point per coordinate: above x, or below x near an upper bound
   kCentral   ///< two further points per coordinate, or one at a bound
 };
 
@@ -52,15 +52,15 @@ enum class Differences {
 struct SolverOptions {
   std::string algorithm = "COBYLA";
   double initial_step = 0.2;         ///< length of the first step; at most 0.49 times the width of the box
-  double x_tolerance = 1e-3;         ///< the search ends if all coordinates change by less than this
+  double x_tolerance = 1e-3;         ///< the search ends when all coordinates change by less than this
   double objective_tolerance = 0.0;  ///< the same for the relative change of the objective; 0: not used
   ConstraintHandling constraints = ConstraintHandling::kAuto;
-  double penalty = 1.0;    ///< cost per unit of relative violation, for kPenalty and for sensitivities
+  double penalty = 1.0;    ///< cost per unit of relative violation, for kPenalty and sensitivity analyses
   std::uint64_t seed = 1;  ///< for algorithms that use random numbers
   Differences differences = Differences::kForward;
   /// Step of a finite difference. It is much longer than rounding requires. An objective that is a maximum
-  /// over a simulation has kinks, and the integrator adds noise. A very short step would measure these
-  /// instead of the slope.
+  /// over a simulation has kinks, and the integrator adds noise. A very short step would measure kinks and
+  /// noise instead of the slope.
   double difference_step = 0.01;
 };
 
@@ -86,7 +86,8 @@ const std::vector<AlgorithmInfo>& algorithms();
 /// the algorithm was removed from armtune, the message names a replacement instead.
 const AlgorithmInfo& algorithm_from_name(const std::string& name);
 
-/// Returns the same algorithm. Also throws InputError if the algorithm cannot handle so many parameters.
+/// Returns the algorithm of this name, as algorithm_from_name() does. Also throws InputError if the algorithm
+/// cannot handle so many parameters.
 const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t parameters);
 
 /// Searches the box for the point with the smallest objective that satisfies the constraints. The point is
@@ -104,12 +105,12 @@ struct SolverAnswer {
   std::vector<double> constraint_gradients;
 };
 
-/// A function that computes the answer at point x, with derivatives if requested. Returns false to end the
+/// A function that computes the answer at point x, with derivatives if requested. It returns false to end the
 /// search.
 using Oracle = std::function<bool(const std::vector<double>& x, bool derivatives, SolverAnswer& answer)>;
 
-/// Runs the algorithm, which requests one point after the other from `oracle`. `problem.evaluate` is not
-/// used.
+/// Runs the algorithm itself for minimize(). The algorithm requests one point after the other from `oracle`.
+/// `problem.evaluate` is not used.
 SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& options, const Oracle& oracle);
 
 }  // namespace armtune::internal

@@ -9,18 +9,19 @@
 namespace armtune::internal {
 namespace {
 
-/// Where searches and the caller's thread meet. NLopt cannot be left in the middle and come back to, so a
-/// search waits inside its callback.
+/// Synchronises the threads of the searches with the caller's thread. NLopt cannot be suspended and resumed,
+/// so a search waits inside its callback.
 class Rounds {
  public:
   explicit Rounds(std::size_t searches) : places_(searches) {}
 
-  /// In a search's thread: waits for its answers.
+  /// Called in a search's thread. Requests the values of points, and waits for them. Returns false if the
+  /// search must end at once.
   bool ask(std::size_t search, const std::vector<SolverPoint>& points, std::vector<SolverValue>& values);
-  /// In a search's thread: it asks no more.
+  /// Called in a search's thread when the search has ended.
   void end(std::size_t search, SolverOutcome outcome, std::exception_ptr error);
 
-  /// In the caller's thread: until all searches have ended.
+  /// Called in the caller's thread. Serves the requests until all searches have ended.
   void run(const std::function<void(std::vector<Request>&)>& evaluate);
   std::vector<SolverOutcome> outcomes() const;
 
@@ -130,7 +131,7 @@ std::vector<SolverOutcome> minimize_together(const std::vector<JoinedSearch>& se
   for (std::size_t s = 0; s < searches.size(); ++s) {
     try {
       threads.emplace_back(search, s);
-    } catch (...) {  // no more threads to be had: those that wait must still be ended
+    } catch (...) {  // no more threads: the searches that already wait must still end
       rounds.end(s, {}, std::current_exception());
     }
   }

@@ -20,7 +20,7 @@ double read_threshold(yaml::MapReader& map, const ThresholdField& field, double 
   return value;
 }
 
-/// One constraint for each margin, over its corners, which stand behind the study's scenarios.
+/// Adds one constraint for each margin, over its corners. The corners come after the study's scenarios.
 void add_margin_constraints(Study& study) {
   std::size_t corner = study.scenarios.size();
   for (const MarginDemand& demand : study.margins) {

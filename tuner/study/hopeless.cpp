@@ -8,10 +8,10 @@
 namespace armtune::internal {
 namespace {
 
-/// The drives' limit is the arm's end of speed, the study's limit lies below it: at twice that no gain set is
-/// near to a good one.
+/// Factor on the study's velocity limit, which lies below the limit of the drives. At twice the study's
+/// limit, no gain set is near a good one.
 constexpr double kVelocityFactor = 2.0;
-/// A joint this far past its bound [rad, m] has long met its stop.
+/// A joint this far beyond its position limit [rad, m] would have hit its mechanical stop.
 constexpr double kMarginBeyond = 0.1;
 
 std::vector<std::string> names_of_those_that_can(bool upper) {

@@ -12,14 +12,14 @@
 namespace armtune::internal {
 namespace {
 
-/// Ratio that a term scores, at least, in a scenario that did not complete: above any completed one.
+/// Smallest score of a term in a scenario that did not complete. It is above the score of any completed one.
 constexpr double kIncompletePenalty = 2.0 * kLargestRatio;
 
 double scale_of(double bound) {
   return bound != 0.0 ? std::abs(bound) : 1.0;
 }
 
-/// Throws InputError: the start gains' value is no reference for the term.
+/// Throws InputError because the start gains' value cannot be the reference of the term.
 [[noreturn]] void refuse_reference(const ObjectiveTerm& term, const std::string& scenario, double start,
                                    const std::string& where) {
   const std::string what =
@@ -208,7 +208,7 @@ void Objective::judge(Evaluation& e) const {
     double worst = -HUGE_VAL;
     double relative = -HUGE_VAL;
     for (const std::size_t s : constraint.scenarios) {
-      // Nothing to judge here, as clearance without obstacles.
+      // The metric does not apply, such as the clearance in a scenario without obstacles.
       if (!judged_[c][s]) continue;
       const double g = excess(c, e.results[s], s);
       worst = std::max(worst, g);
@@ -226,7 +226,8 @@ void Objective::judge(Evaluation& e) const {
     const double here = incompleteness(e.results[s], s);
     if (here > 0.0 && e.status == "completed") e.status = e.results[s].reason;
     incomplete += here;
-    // What was not simulated could have broken every constraint: behind all that were.
+    // The part that was not simulated could have broken every constraint. Therefore the candidate ranks
+    // behind all that completed every scenario.
     if (here > 0.0) e.violation += kLargestRatio * static_cast<double>(constraints_.size());
   }
   e.constraints.back() = incomplete;

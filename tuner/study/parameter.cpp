@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Largest ratio of the bounds on a log scale: beyond it, their ratio no longer fits a double.
+/// Largest ratio of the bounds on a log scale.
 constexpr double kWidestSpan = 1e30;
 
 double to_coordinate(const Parameter& p, double v) {
@@ -21,7 +21,7 @@ double to_coordinate(const Parameter& p, double v) {
 }
 
 double from_coordinate(const Parameter& p, double coordinate) {
-  if (coordinate == to_coordinate(p, p.start)) return p.start;  // to the bit, whatever exp and log round
+  if (coordinate == to_coordinate(p, p.start)) return p.start;  // bit-identical: not rounded by exp or log
   const double x = std::clamp(coordinate, 0.0, 1.0);
   const double v =
       p.scale == Scale::kLog ? p.lower * std::pow(p.upper / p.lower, x) : p.lower + x * (p.upper - p.lower);

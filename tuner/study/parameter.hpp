@@ -14,7 +14,7 @@ enum class Scale { kLog, kLinear };
 struct GainEntry {
   const GainField* field = nullptr;
   std::size_t component = 0;
-  std::size_t count = 0;  ///< how many numbers the field has
+  std::size_t count = 0;  ///< number of components of the field
   std::string name;       ///< such as "task_space_gains_p/rx" or "slerpDurationErrorGain"
 };
 
@@ -26,8 +26,8 @@ std::vector<GainEntry> gain_entries(const Gains& gains, const std::vector<std::s
 /// entry. A group is a gain ("task_space_gains_p") or a force point ("force_control_gains/elbow_joint").
 bool is_named(const GainEntry& entry, const std::string& name);
 
-/// True if a gain set has the number of the entry. It may be missing, because a file can leave some fields
-/// out, and because the gains of forces have two forms (core/control/force_gains.hpp).
+/// True if a gain set has the number of the entry. The number may be missing, because a file can leave some
+/// fields out, and because the gains of forces have two forms (core/control/force_gains.hpp).
 bool has(const Gains& gains, const GainEntry& entry);
 double& value(Gains& gains, const GainEntry& entry);
 double value(const Gains& gains, const GainEntry& entry);

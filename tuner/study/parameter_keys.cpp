@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Entries that a name stands for: one number, or all of a field.
+/// Returns the entries that a name denotes: one number, or all numbers of a field.
 std::vector<GainEntry> find_entries(const yaml::Node& node, const std::vector<GainEntry>& all) {
   const std::string name = node.as_string();
   std::vector<GainEntry> found;
@@ -42,7 +42,7 @@ Parameter default_parameter(const GainEntry& entry, const Gains& start) {
   return p;
 }
 
-/// Whether it acts on the tool's orientation alone.
+/// True if the gain acts only on the tool's orientation.
 bool turns_tool(const GainEntry& entry) {
   constexpr std::size_t kRotations = 3;  // of x y z rx ry rz
   if (const auto* scalar = std::get_if<double Gains::*>(&entry.field->member))
@@ -50,7 +50,7 @@ bool turns_tool(const GainEntry& entry) {
   return component_names(*entry.field, {}).size() == 6 && entry.component >= kRotations;
 }
 
-/// True if it acts only on the motion of the tool, not in states that track joints.
+/// True if the gain acts only on the motion of the tool, and not in states that track joints.
 bool moves_tool(const GainEntry& entry) {
   const auto* scalar = std::get_if<double Gains::*>(&entry.field->member);
   if (scalar != nullptr && *scalar == &Gains::trajectoryDurationErrorGain) return true;
@@ -62,7 +62,7 @@ auto find_by_name(List& list, const std::string& name) {
   return std::find_if(list.begin(), list.end(), [&name](const auto& p) { return p.entry.name == name; });
 }
 
-/// One entry of `parameters`: which gains, then fixed, linked, or tuned between bounds.
+/// Reads one entry of `parameters`. Its gains are fixed, linked, or tuned between bounds.
 void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, ParameterSpace& space) {
   yaml::MapReader map(node);
   const auto entries = find_entries(map.required("name"), all);
@@ -78,7 +78,7 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
   map.finish();
   if (fixed != nullptr && link != nullptr) node.fail("give at most one of: fixed, link");
   for (const GainEntry& entry : entries) {
-    // A link knows its parameter by its place: once there is one, nothing may change places.
+    // A link stores the index of its parameter. Thus no index may change once there is a link.
     const bool linked = find_by_name(space.links, entry.name) != space.links.end();
     if (linked || (!space.links.empty() && find_by_name(space.free, entry.name) != space.free.end())) {
       node.fail(entry.name + " is listed again after a link; list every gain before the links");
@@ -113,7 +113,7 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std:
   const auto all = gain_entries(start, joints);
   if (node == nullptr) {
     for (const GainEntry& entry : all) {
-      // Factors on a gain that is zero, and so switched off, are none.
+      // A gain that is zero is switched off. Factors on zero would give no range.
       const bool off = entry.field->search == SearchRange::kFactor && value(start, entry) == 0.0;
       const bool idle = (!task && moves_tool(entry)) || (!orientation && turns_tool(entry));
       if (entry.field->search != SearchRange::kNone && !off && !idle)

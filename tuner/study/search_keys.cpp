@@ -15,7 +15,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Each search has a thread of its own.
 constexpr long kMostStarts = 256;
 
-/// One of several names; the others are refused with the line.
+/// Reads one of several names. Refuses any other name, with its line.
 template <typename FromName>
 auto read_name(yaml::MapReader& map, const char* key, const std::string& otherwise, FromName from_name) {
   try {
@@ -111,7 +111,7 @@ void read_search(const yaml::Node& node, Study& study) {
     map.required("global_share")
         .fail("the study has no global search; name one with 'global', or leave this key out");
   }
-  // Studies and run folders of earlier versions have it. It changed no result, so it is read and left alone.
+  // Studies and run folders of earlier versions have this key. It changed no result, so it is ignored.
   map.boolean("end_outdone", true);
   map.finish();
 }

@@ -1,4 +1,4 @@
-// Study files: reader of study.hpp's load_study.
+// Reads study files, for load_study of study.hpp.
 
 #include <fmt/format.h>
 
@@ -59,7 +59,7 @@ double require_moderate(double value, const yaml::Node& node) {
                         value, kSmallest, kLargest));
 }
 
-/// Returns a number of a map that is not negative and moderate.
+/// Reads a number that is not negative, and fails as require_moderate does.
 double read_scale(yaml::MapReader& map, std::string_view key, double otherwise) {
   const double value = map.number_in(key, otherwise, 0.0, kLargest);
   return map.has(key) ? require_moderate(value, map.required(key)) : value;
@@ -93,7 +93,7 @@ std::vector<std::size_t> all_of(const std::vector<Scenario>& scenarios) {
   return all;
 }
 
-/// Returns those of the subset that the metric applies to. Fails at the node if there are none.
+/// Returns the scenarios of the subset to which the metric applies. Fails at the node if there are none.
 std::vector<std::size_t> applicable(const yaml::Node& node, Metric metric,
                                     const std::vector<std::size_t>& subset,
                                     const std::vector<Scenario>& scenarios) {
@@ -112,8 +112,8 @@ std::vector<std::size_t> applicable(const yaml::Node& node, Metric metric,
   return found;
 }
 
-/// Returns the scenarios that an objective term counts in. Without a list these are all that its metric
-/// applies to. It must apply to each scenario of a list.
+/// Returns the scenarios in which an objective term counts. Without a list, these are all scenarios to which
+/// its metric applies. With a list, the metric must apply to each scenario of the list.
 std::vector<std::size_t> read_term_scenarios(const yaml::Node& term, Metric metric, const yaml::Node* listed,
                                              const std::vector<Scenario>& scenarios) {
   const yaml::Node& named = *term.find("metric");
@@ -166,8 +166,8 @@ std::vector<Constraint> read_constraints(const yaml::Node& node, const std::vect
   return constraints;
 }
 
-/// One arm past a value decides where the worst arm counts; under every other measure the rest may make up
-/// for it, so that nothing is hopeless.
+/// Sets `hopeless` of all constraints to never, for a risk measure other than the worst arm. With such a
+/// measure the other arms can compensate for one bad arm, so no rollout is hopeless.
 void end_no_sample_early(const yaml::Node& node, std::vector<Constraint>& constraints) {
   for (std::size_t c = 0; c < constraints.size(); ++c) {
     if (constraints[c].hopeless.kind == Hopeless::Kind::kFrom) {
@@ -179,7 +179,7 @@ void end_no_sample_early(const yaml::Node& node, std::vector<Constraint>& constr
   }
 }
 
-/// The start gains, of the controller that the study's file or the caller names.
+/// Returns the start gains, converted to the controller that the study's file or the caller names.
 Gains controlled(const Gains& gains, const yaml::Node* node, const std::string& asked,
                  const Scenario& first) {
   if (node == nullptr && asked.empty()) return gains;
@@ -194,7 +194,7 @@ Gains controlled(const Gains& gains, const yaml::Node* node, const std::string& 
   }
 }
 
-/// The scenarios that are given, else those that the file names.
+/// Returns the scenarios of `parts` or, if it has none, those that the file names.
 std::vector<Scenario> scenarios_of(yaml::MapReader& map, const std::string& folder, const StudyParts& parts) {
   if (parts.scenarios.empty()) return read_scenarios(map.required("scenarios"), folder);
   map.optional("scenarios");
@@ -206,7 +206,7 @@ std::vector<Scenario> scenarios_of(yaml::MapReader& map, const std::string& fold
   return scenarios;
 }
 
-/// The same of the gains that the search begins with.
+/// Returns the start gains of `parts` or, if it has none, those that the file names.
 Gains gains_of(yaml::MapReader& map, const std::string& folder, const StudyParts& parts, Study& study) {
   const auto joints = joint_names(*study.scenarios.front().robot);
   if (parts.start) {
@@ -224,7 +224,7 @@ Gains gains_of(yaml::MapReader& map, const std::string& folder, const StudyParts
   return load_gains(study.gains, joints, {}, study.node);
 }
 
-/// source: path of the file, empty for a text. Sets everything but the name.
+/// Reads everything of a study except its name. source: path of the file; empty for a text.
 Study read_study(const yaml::Node& root, const std::string& source, const std::string& controller,
                  const StudyParts& parts) {
   yaml::MapReader map(root);
@@ -237,7 +237,7 @@ Study read_study(const yaml::Node& root, const std::string& source, const std::s
   const Gains read = gains_of(map, folder, parts, study);
   const yaml::Node* named = map.optional("controller");
   const Gains start = controlled(read, named, controller, study.scenarios.front());
-  // What the file says of gains is about those of another controller.
+  // The gains in the file belong to the controller `meant`. They are ignored for another controller.
   const std::string& meant = named != nullptr ? named->as_string() : read.controller;
   const bool another = start.controller != meant;
   const yaml::Node* parameters = map.optional("parameters");
@@ -252,7 +252,7 @@ Study read_study(const yaml::Node& root, const std::string& source, const std::s
        {study.space.start_point(), std::vector<double>(n, 0.0), std::vector<double>(n, 1.0)}) {
     validate(study.space.gains_at(corner), joints, root.file() + ": gains within the bounds of 'parameters'");
   }
-  study.space.start = study.space.gains_at(study.space.start_point());  // links included: it is what scores 1
+  study.space.start = study.space.gains_at(study.space.start_point());  // with links; these gains score 1
   study.own_objective = parts.objective;
   if (parts.objective) {
     map.optional("objective");

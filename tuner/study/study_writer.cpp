@@ -1,4 +1,4 @@
-// Study files: writer of study.hpp's study_yaml.
+// Writes study files, for study_yaml of study.hpp.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,8 +31,8 @@ const char* constraint_handling_name(ConstraintHandling handling) {
   return "";
 }
 
-/// What `hopeless: auto` stands for, as a comment: written as a number it would be a demand on the start
-/// gains, which the default is not.
+/// Returns the value of `hopeless: auto` as a YAML comment. A number in the file would also apply to the
+/// start gains, but the default does not.
 std::string auto_text(const Constraint& c) {
   if (c.hopeless.kind != Hopeless::Kind::kAuto) return {};
   if (!default_hopeless(c.metric, c.upper, 0.0)) return "  # hopeless: never";

@@ -20,7 +20,8 @@ AimedSearch::AimedSearch(const Study& study, const ParetoOptions& options, Candi
       box_(study.warm ? warm_point(study.space, *study.warm) : WarmPoint{}) {}
 
 bool AimedSearch::evaluate(const std::vector<Candidate>& candidates) {
-  const Engine engine = objective_ ? study_.engine : Engine::kSimbody;  // the start's figures are reported
+  // The results of the start gains are reported, so Simbody simulates them.
+  const Engine engine = objective_ ? study_.engine : Engine::kSimbody;
   out_.interrupted =
       !evaluator_.next(candidates, {engine, end_limits(objective_)},
                        [this](const char* phase, Evaluation e) { take_in(phase, std::move(e)); });
@@ -73,10 +74,12 @@ void AimedSearch::check_reference(const Costs& start) const {
   }
 }
 
-/// What an aim's search is told of a point.
+/// Returns the value of a point for the search of an aim: the relative cost of its criterion, the study's
+/// constraints, and the relative excess over each level.
 SolverValue AimedSearch::seen_from(const Aim& aim, const Known& known) const {
   const Costs& reference = out_.start.costs;
-  // A criterion that a rollout did not give counts as twice the start's: the study's own constraints say why.
+  // A criterion without a value gets the start's cost plus the magnitude of this cost. The study's own
+  // constraints show why the rollout gave no value.
   const auto relative = [&](std::size_t c) {
     const double cost = known.costs[c];
     return (std::isnan(cost) ? reference[c] + std::abs(reference[c]) : cost) / std::abs(reference[c]);
@@ -89,7 +92,8 @@ SolverValue AimedSearch::seen_from(const Aim& aim, const Known& known) const {
   return value;
 }
 
-/// left: what each aim's budget still allows; a point that two ask for counts for the first.
+/// Simulates the requested points, and answers the requests. left: number of evaluations that each aim may
+/// still use. A point that two searches request counts for the first of them.
 void AimedSearch::serve(const char* phase, const std::vector<Aim>& aims, std::vector<long>& left,
                         std::vector<Request>& requests) {
   const bool in_time = evaluator_.time_left();

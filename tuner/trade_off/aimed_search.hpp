@@ -16,7 +16,7 @@ namespace armtune::internal {
 /// The task of one search: minimise criterion k while the costs of all criteria stay at or below `levels`.
 struct Aim {
   std::size_t k = 0;      ///< index of the criterion that is minimised
-  Costs levels;           ///< upper limits, one per criterion; infinite: no limit
+  Costs levels;           ///< upper limits of the costs, one per criterion; infinite: no limit
   std::vector<double> x;  ///< search coordinates where the search starts
   long budget = 0;        ///< largest number of evaluations
   SolverOptions solver;
@@ -33,16 +33,16 @@ class AimedSearch {
   /// gains.
   bool start();
   /// Runs the searches for all aims at the same time. Does nothing if the run was interrupted. shown: text
-  /// that the progress shows.
+  /// that names these searches in the progress display.
   void minimise(const char* phase, const std::string& shown, const std::vector<Aim>& aims);
 
-  /// Returns every feasible point that no other dominates.
+  /// Returns the archive. It contains every feasible point that no other one dominates.
   const Archive& archive() const { return archive_; }
-  /// Returns the best of all points, compared by better() (evaluation.hpp). If no point is feasible, it is
+  /// Returns the best of all points, compared by better() (evaluation.hpp). If no point is feasible, this is
   /// the point with the smallest violation of the constraints.
   const Evaluation& best() const { return *best_; }
-  /// Returns a result without front and levels. It contains the start, the number of evaluations, and the
-  /// reason if the run ended early.
+  /// Returns a result without front and levels. It contains the start, the number of evaluations, and whether
+  /// the run was interrupted or ran out of time.
   const ParetoResult& so_far() const { return out_; }
 
  private:

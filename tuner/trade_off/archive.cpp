@@ -6,7 +6,7 @@
 namespace armtune::internal {
 namespace {
 
-/// How much a relative excess over a level weighs where the point to begin at is chosen.
+/// Weight of a relative excess over a level when the point where a search starts is chosen.
 constexpr double kExcessWeight = 10.0;
 
 }  // namespace

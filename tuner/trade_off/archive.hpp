@@ -1,6 +1,6 @@
 #pragma once
-// The points that a search for a Pareto front keeps: all feasible points found so far that no other one
-// dominates (front.hpp). Further searches start from these points.
+// Stores the points that a search for a Pareto front keeps: all feasible points found so far that no other
+// one dominates (front.hpp). Further searches start from these points.
 
 #include <vector>
 
@@ -19,10 +19,10 @@ class Archive {
   /// null if there is none. The pointer is valid until the next call of `add`.
   const ParetoPoint* best_under(std::size_t k, const Costs& levels) const;
 
-  /// Returns the search coordinates at which the search for these levels starts. They are those of the point
-  /// with the smallest sum of its first cost and a penalty for costs above the levels. Mostly, this point was
-  /// found for a neighbouring level. start: its costs are the units of the sum. If the archive is empty, its
-  /// coordinates are returned.
+  /// Returns the search coordinates at which the search for these levels starts. They belong to the point
+  /// with the smallest sum of the first cost and a penalty for costs above the levels. Usually, this point
+  /// was found for a neighbouring level. start: the start gains; all costs are divided by theirs. If the
+  /// archive is empty, the coordinates of `start` are returned.
   const std::vector<double>& beginning(const Costs& levels, const ParetoPoint& start) const;
 
  private:

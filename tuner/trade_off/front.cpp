@@ -6,8 +6,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Volume between the origin and gains (how far each cost lies below the reference; all positive) in the
-/// first `dimensions` coordinates.
+/// Returns the volume of the union of all boxes between the origin and a point of `gains`, in the first
+/// `dimensions` coordinates. A gain is the distance of a cost below the reference, and is positive.
 double volume(std::vector<Costs> gains, std::size_t dimensions) {
   if (gains.empty()) return 0.0;
   const std::size_t last = dimensions - 1;
@@ -18,7 +18,7 @@ double volume(std::vector<Costs> gains, std::size_t dimensions) {
     const double next = i + 1 < gains.size() ? gains[i + 1][last] : 0.0;
     const double height = gains[i][last] - next;
     if (height <= 0.0) continue;
-    // Everything that reaches at least this far.
+    // The points whose last gain is at least this large.
     const auto end = gains.begin() + static_cast<std::ptrdiff_t>(i) + 1;
     sum += height * volume({gains.begin(), end}, last);
   }
@@ -44,7 +44,7 @@ std::vector<std::size_t> non_dominated(const std::vector<Costs>& points) {
         std::none_of(points[i].begin(), points[i].end(), [](double c) { return std::isnan(c); });
     if (whole) order.push_back(i);
   }
-  // Whatever dominates a point stands before it.
+  // In this order, a point comes after all points that dominate it.
   std::stable_sort(order.begin(), order.end(),
                    [&points](std::size_t a, std::size_t b) { return points[a] < points[b]; });
   std::vector<std::size_t> front;

@@ -13,15 +13,16 @@ using Costs = std::vector<double>;
 /// True if a dominates b.
 bool dominates(const Costs& a, const Costs& b);
 
-/// Returns the indices of the points that no other point dominates, ascending in the first cost. Of equal
-/// points it returns the first. All points have the same number of costs. Points with a NaN are left out.
+/// Returns the indices of the points that no other point dominates, ascending in the first cost. If several
+/// points are equal, only the first is returned. All points have the same number of costs. Points with a NaN
+/// are left out.
 std::vector<std::size_t> non_dominated(const std::vector<Costs>& points);
 
 /// Returns the hypervolume: the volume of all costs that are dominated by one of the points and lie below the
 /// reference (Zitzler and Thiele, 1998). Each cost is divided by the absolute value of the reference's cost.
 /// If all costs are above zero, the result is between 0 and 1. It is then the dominated share of the box
-/// between the origin and the reference. The result is exact; it is computed by slicing along the last cost.
-/// The costs of the reference must be finite and not zero.
+/// between the origin and the reference. The result is exact, because it is computed by slicing along the
+/// last cost. The costs of the reference must be finite and not zero.
 double hypervolume(const std::vector<Costs>& points, const Costs& reference);
 
 }  // namespace armtune::internal

@@ -11,16 +11,17 @@
 namespace armtune::internal {
 namespace {
 
-/// Share of the budget for the least of the first criterion, and of each other.
+/// Shares of the budget for minimising the first criterion, and for minimising each other criterion.
 constexpr double kFirstAnchorShare = 0.25;
 constexpr double kAnchorShare = 0.08;
-/// A neighbour is near: the search of a level begins with this part of the study's initial step.
+/// Initial step of the search for a level, relative to the study's. It is short, because the search starts
+/// from the solution of a neighbouring level.
 constexpr double kLevelStep = 0.4;
-/// Linear models need n + 1 points where quadratic ones need 2 n + 1, and constraints stay constraints: what
-/// a short search from a neighbour wants.
+/// COBYLA suits a short search from a neighbour. Its linear models need n + 1 points, where quadratic models
+/// need 2 n + 1, and it handles constraints itself.
 constexpr const char* kLevelAlgorithm = "COBYLA";
 
-/// The aims that make a front: its ends, then the levels between them.
+/// Makes the searches for a front: first for its ends (anchors), then for the levels between them.
 class Front {
  public:
   Front(const Study& study, const ParetoOptions& options, AimedSearch& search)
@@ -28,7 +29,7 @@ class Front {
 
   void anchors();
   void levels();
-  /// All levels, once they are searched; without their best.
+  /// Returns all levels, or none before they were searched. Their `best` is not set.
   const std::vector<ParetoLevel>& found() const { return found_; }
 
  private:
@@ -43,8 +44,9 @@ class Front {
   std::vector<ParetoLevel> found_;
 };
 
-/// What the other criteria must not exceed while criterion k becomes least: the start's, where any feasible
-/// point is known to be that good. A start that breaks constraints may be better than all that keep them.
+/// Returns the upper limits of the other criteria for the minimisation of criterion k. There are none for the
+/// first criterion. Otherwise, the limit of a criterion is the start's cost, but only if a known feasible
+/// point is as good. A start that violates constraints may be better than all feasible points.
 Costs Front::held_for(std::size_t k) const {
   Costs held = free_levels();
   if (k == 0) return held;
@@ -85,7 +87,7 @@ void Front::anchors() {
   }
 }
 
-/// Digit i of a level counts steps along criterion i + 1.
+/// Returns the aim of a level. digits[i]: number of steps along criterion i + 1.
 Aim Front::level(const std::vector<std::size_t>& digits, long budget) const {
   Aim aim;
   aim.levels = free_levels();
@@ -102,7 +104,8 @@ Aim Front::level(const std::vector<std::size_t>& digits, long budget) const {
 void Front::levels() {
   const ParetoPoint* top = search_.archive().best_under(0, free_levels());
   if (search_.so_far().interrupted || !top) return;
-  // From where the first criterion is least (so high the others rise for it) to the least of each other one.
+  // The levels of each other criterion go from its cost where the first criterion is least to its own least
+  // cost.
   const Costs high = top->costs;
   for (std::size_t k = 1; k < high.size(); ++k) {
     const ParetoPoint* least = search_.archive().best_under(k, held_for(k));
@@ -115,7 +118,8 @@ void Front::levels() {
     }
   }
   const auto grid = serpentine(axes_.size(), options_.levels);
-  // There and back: what a level finds is its neighbours' beginning, on either side.
+  // All levels are searched in order, then in reverse order. Thus each search can start from the solutions of
+  // the neighbours on either side.
   const auto way = searched_together(grid.size());
   const std::size_t searches = 2 * grid.size();
   std::size_t done = 0;

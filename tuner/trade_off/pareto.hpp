@@ -1,5 +1,6 @@
 #pragma once
-// Finds the Pareto front of a study, which shows how much one criterion gets worse when another one improves.
+// Finds the Pareto front of a study (`armtune pareto`). The front shows how much one criterion gets worse
+// when another one improves.
 //
 // The method is the epsilon-constraint method (Haimes, Lasdon, Wismer, 1971). A level is a set of upper
 // limits on all criteria except the first (level_grid.hpp). For each level, a search minimises the first
@@ -39,7 +40,7 @@ struct ParetoPoint {
 /// A level, and the best point that was found for it.
 struct ParetoLevel {
   Costs levels;          ///< upper limits, one per criterion; that of the first is infinite
-  std::size_t best = 0;  ///< point within the limits with the smallest first cost; index into the front
+  std::size_t best = 0;  ///< index into the front: point within the limits with the smallest first cost
 };
 
 struct ParetoResult {
@@ -61,11 +62,11 @@ struct ParetoProgress {
   std::string phase;
   long evaluations = 0;
   long max_evaluations = 0;
-  std::size_t front = 0;  ///< number of points so far
+  std::size_t front = 0;  ///< number of points of the front so far
 };
 
 struct ParetoCallbacks {
-  /// Called once, when the start gains were simulated.
+  /// Called once, after the start gains were simulated.
   std::function<void(const Objective&)> begin;
   /// Called for every evaluation in order, also for those from a journal; one call at a time, from any
   /// thread. phase: start, warm, anchor, level or gradient.
@@ -75,23 +76,23 @@ struct ParetoCallbacks {
 
 /// Finds the front. The result is deterministic: it depends only on study and options, unless the study sets
 /// max_minutes. The search first finds the ends of the front. One end is the minimum of the first criterion.
-/// For each other criterion, the end is its minimum while the remaining criteria are no worse than at the
-/// start. If no feasible point is known in which a remaining criterion is that good, this criterion has no
-/// limit. Throws InputError if the start gains give no reference for the objective or for a criterion.
-/// journal: as in tune().
+/// For each other criterion, the end is its minimum while the remaining criteria are no worse than with the
+/// start gains. If no known feasible point satisfies such a limit, the limit is left out. Throws InputError
+/// if the start gains give no reference for the objective or for a criterion. journal: as in tune().
 ParetoResult pareto(const Study& study, const ParetoOptions& options, CandidateRunner& workers,
                     const std::atomic<bool>& stop, const ParetoCallbacks& callbacks,
                     Journal* journal = nullptr);
 
-/// Sets the front, the hypervolume and the best point of each level, computed from feasible points. Levels
-/// whose limits no point keeps are removed. The start is not changed.
+/// Sets the front, the hypervolume and the best point of each level of `result`, computed from feasible
+/// points. Levels whose limits no point satisfies are removed. The start is not changed.
 void settle(ParetoResult& result, const std::vector<ParetoPoint>& points);
 
-/// Simulates all points of the front again in Simbody, and replaces the results. `workers` must not have been
-/// used in the search. If the search used Simbody, throws FailedError if any cost differs from that of the
-/// search, or if a point is no longer feasible. If the search used another engine, throws FailedError only if
-/// a cost differs by more than a small tolerance. Points that are then infeasible or dominated are removed
-/// from the front. Returns false if `stop` became true before all points were simulated.
+/// Simulates all points of the front again in Simbody (the dynamics library with which results are verified),
+/// and replaces the results. `workers` must not have been used in the search. If the search used Simbody,
+/// throws FailedError if any cost differs from that of the search, or if a point is no longer feasible. If
+/// the search used another engine, throws FailedError only if a cost differs by more than a small tolerance.
+/// Points that are then infeasible or dominated are removed from the front. Returns false if `stop` became
+/// true before all points were simulated.
 bool verify(const Study& study, const Objective& objective, const ParetoOptions& options,
             ParetoResult& result, CandidateRunner& workers, const std::atomic<bool>& stop);
 

@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-/// The study's objective stands in pareto.csv also where it is no criterion.
+/// True if the study's objective is a criterion. If not, pareto.csv has a further column with it.
 bool has_objective(const ParetoOptions& options) {
   return std::any_of(options.criteria.begin(), options.criteria.end(),
                      [](const Criterion& c) { return !c.metric; });
@@ -82,7 +82,7 @@ std::string pareto_table(const Study& study, const ParetoOptions& options, const
   }
   row(start_name(study), result.start,
       result.start.e.feasible ? "" : "  breaks a constraint; the points above do not");
-  // Costs below zero, of metrics of which more is better, have no end.
+  // If larger values of a metric are better, its cost is negative, and the hypervolume may exceed 1.
   const bool bounded =
       std::all_of(result.start.costs.begin(), result.start.costs.end(), [](double c) { return c > 0.0; });
   if (result.front.empty()) {

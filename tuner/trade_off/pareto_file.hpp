@@ -12,7 +12,7 @@ namespace armtune::internal {
 std::vector<Column> pareto_columns(const Study& study, const ParetoOptions& options);
 
 /// Returns the text of pareto.csv: one row per point of the front, then one for the start, with criteria and
-/// gains. Numbers read back bit-identical.
+/// gains. Numbers have all digits that are needed to read back the same value.
 std::string pareto_csv(const Study& study, const ParetoOptions& options, const ParetoResult& result);
 
 /// Returns a table for terminals. It shows the best point of each level, the two ends of the front, and the

@@ -1,4 +1,4 @@
-// A front as the points of a search make it.
+// Computes the result of a Pareto search from its points.
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ void settle(ParetoResult& result, const std::vector<ParetoPoint>& points) {
   result.front = std::move(front);
   result.hypervolume = result.front.empty() ? 0.0 : hypervolume(costs, result.start.costs);
   for (auto level = result.levels.begin(); level != result.levels.end();) {
-    // The front ascends in the first cost: the first point under the level is the best.
+    // The front ascends in the first cost, so the first point within the limits is the best.
     const auto best = std::find_if(result.front.begin(), result.front.end(), [&level](const ParetoPoint& p) {
       for (std::size_t c = 0; c < p.costs.size(); ++c) {
         if (p.costs[c] > level->levels[c]) return false;

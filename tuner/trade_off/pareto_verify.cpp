@@ -1,4 +1,4 @@
-// The front simulated again: what is reported is what anyone gets who runs these gains.
+// Simulates the front again, to ensure that anyone who simulates these gains gets the reported results.
 
 #include <fmt/format.h>
 
@@ -14,11 +14,12 @@ namespace armtune::internal {
 
 namespace {
 
-/// Engines agree far better than this where nothing diverges; beyond it the search saw another arm.
+/// Largest relative difference between the engines. Unless a motion diverges, they agree far better. A larger
+/// difference shows that the search simulated another arm.
 constexpr double kEngineTolerance = 1e-3;
 
-/// Returns the first criterion whose costs differ by more than the tolerance, relative; the size if none
-/// does.
+/// Returns the index of the first criterion whose costs differ by more than the relative tolerance, or the
+/// number of criteria if none does.
 std::size_t first_difference(const Costs& a, const Costs& b, double tolerance) {
   for (std::size_t c = 0; c < a.size(); ++c) {
     if (!(std::abs(a[c] - b[c]) <= tolerance * std::max(std::abs(a[c]), std::abs(b[c])))) return c;

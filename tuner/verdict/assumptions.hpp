@@ -14,10 +14,10 @@
 namespace armtune::internal {
 
 /// Adds the assumptions about the scenarios' arms, such as rotor inertia that a robot file does not give, and
-/// about the simulation with this stepper.
+/// about the simulation with this integration method.
 void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict);
 
-/// Adds the assumption that the results of another engine than Simbody are right. which: what this engine
+/// Adds the assumption that the results of an engine other than Simbody are correct. which: what this engine
 /// simulated, such as "the scenarios". Adds nothing if the engine is Simbody.
 void add_engine_assumption(Engine engine, const std::string& which, SimulationVerdict& verdict);
 
@@ -25,8 +25,9 @@ void add_engine_assumption(Engine engine, const std::string& which, SimulationVe
 void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
                                SimulationVerdict& verdict);
 
-/// Name for `which` in the yield check. If another engine simulates the random arms, Simbody simulates only
-/// those again that break a limit.
+/// The value of `which` in the check on random arms. If another engine simulates these arms, Simbody
+/// simulates again only those that break a limit. The results of the others are therefore not confirmed by
+/// Simbody.
 inline constexpr const char* kArmsThatKept = "the random arms that keep their limits";
 
 }  // namespace armtune::internal

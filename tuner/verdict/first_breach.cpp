@@ -7,8 +7,8 @@
 namespace armtune::internal {
 namespace {
 
-/// How near each joint is to the limit that the metric is about, the largest value the nearest (n). Empty for
-/// a metric that is no joint's.
+/// Returns how near each joint is to the limit that the metric belongs to (n). The joint with the largest
+/// value is the nearest. Empty for a metric that belongs to no joint.
 JointVector nearness(Metric metric, const RobotModel& model, const Observation& o) {
   switch (metric) {
     case Metric::kJointVelocityMaxRatio:
@@ -22,7 +22,7 @@ JointVector nearness(Metric metric, const RobotModel& model, const Observation& 
   }
 }
 
-/// Of one arm.
+/// Simulates one arm until the metric reaches the limit, and returns the breach; nothing if it does not.
 std::optional<Breach> breach_of(const Scenario& scenario, const Gains& gains, const EndLimit& limit,
                                 Stepper stepper) {
   const Engine engine = stepper == Stepper::kReference ? Engine::kSimbody : Engine::kNative;
@@ -43,7 +43,7 @@ std::optional<Breach> breach_of(const Scenario& scenario, const Gains& gains, co
   return breach;
 }
 
-/// The name of a study's arm k, the scenario's own being the last.
+/// Returns the name of arm k of a study. The last arm is the scenario's own.
 std::string arm_name(const SampleSet& set, std::size_t k) {
   if (k == set.samples) return "the scenario's own arm";
   return fmt::format("random arm {} of {}", k + 1, set.samples);

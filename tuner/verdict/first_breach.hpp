@@ -1,6 +1,6 @@
 #pragma once
-// Finds at which joint and at which time a study's constraint is first broken. The value of a metric alone
-// does not contain this.
+// Finds at which joint and at which time a study's constraint is first broken. The value of the metric does
+// not show this.
 
 #include <optional>
 #include <string>
@@ -16,10 +16,10 @@ struct Breach {
   double time = 0.0;  ///< [s]
 };
 
-/// Simulates the scenario on every arm of the study until the metric is beyond the limit, and returns the
+/// Simulates the scenario with every arm of the study until the metric reaches the limit, and returns the
 /// earliest breach. The engine is armtune's own (native), or Simbody if the study's stepper is `reference`.
-/// Returns nothing if no arm breaks the limit in that engine, or if the metric can become better again during
-/// a rollout.
+/// Returns nothing if no arm breaks the limit in that engine, or if the metric can improve again during a
+/// rollout.
 std::optional<Breach> first_breach(const Study& study, const Scenario& scenario, const Gains& gains,
                                    const EndLimit& limit);
 

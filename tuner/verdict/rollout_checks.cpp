@@ -35,13 +35,14 @@ void describe(const BrokenLimit& broken, Check& check) {
   check.value = std::abs(broken.value);
   check.threshold = std::abs(broken.bound);
   check.unit = broken.unit;
-  if (broken.limit == JointLimit::kPosition) {  // signs tell the side
+  if (broken.limit == JointLimit::kPosition) {  // the sign shows which of the two limits
     check.value = broken.value;
     check.threshold = broken.bound;
   }
 }
 
-/// Of kContactMetrics, in their order; behind the first, that of the kinds of clearance.
+/// The checks that belong to kContactMetrics, in the same order. All except the first follow the order of the
+/// kinds of clearance.
 constexpr std::array kContactKinds = {CheckKind::kContact, CheckKind::kSelf, CheckKind::kCell,
                                       CheckKind::kFloor};
 static_assert(kContactKinds.size() == kContactMetrics.size() && kContactKinds.size() == kClearances + 1);
@@ -89,7 +90,7 @@ void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vecto
     contact.threshold = 0.0;
     contact.unit = "m";
     for (std::size_t s = 0; s < results.size(); ++s) {
-      // Nothing comes nearer to a point than its own place, whatever it does.
+      // An obstacle without a radius is a point, which nothing touches.
       if (metric == Metric::kObstacleMinClearance &&
           std::all_of(scenarios[s].obstacles.begin(), scenarios[s].obstacles.end(), is_point))
         continue;
@@ -155,7 +156,7 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
         limits.time = r.simulated;
       }
     }
-    if (!r.held() || std::isnan(r.rms_growth)) continue;  // no errors in both windows to compare
+    if (!r.held() || std::isnan(r.rms_growth)) continue;  // there are no errors to compare
     compared = true;
     const bool rms = r.rms_growth > thresholds.rms_growth;
     const bool peak = r.peak_growth > thresholds.peak_growth;

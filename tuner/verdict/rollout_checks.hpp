@@ -14,14 +14,15 @@
 namespace armtune::internal {
 
 /// Adds one check for completion and one for each kind of joint limit. The check for completion reports the
-/// first scenario that failed. The check of a limit reports the failure with the earliest time over the
-/// scenarios. set: name of the gain set, empty if there is only one.
+/// first scenario that failed. The check of a limit reports the earliest failure in any scenario. set: name
+/// of the gain set, empty if there is only one.
 void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::string& set,
                         SimulationVerdict& verdict);
 
 /// Adds a check for each kind of contact that is possible in the scenarios. One kind is contact with an
-/// obstacle that has a radius. If the scenario has a cell, further kinds are contacts of the arm with itself,
-/// with a part of the cell, and with the floor. results: one per scenario, in their order.
+/// obstacle that has a radius. If the scenario has a cell (the surroundings of the arm), further kinds are
+/// contacts of the arm with itself, with a part of the cell, and with the floor. results: one per scenario,
+/// in their order.
 void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
                         const std::string& set, SimulationVerdict& verdict);
 
@@ -38,14 +39,15 @@ void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVe
 /// things not checked.
 void add_unchecked_rotors(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);
 
-/// Adds a check of the limits in the extended scenarios, and a check of the growth of errors. If no extended
-/// scenario was completed and has errors to compare, the growth is added to the list of things not checked.
+/// Adds a check of the limits in scenarios that were extended to a long time (endurance.hpp), and a check of
+/// the growth of errors there. If no extended scenario was completed and has errors to compare, the growth is
+/// added to the list of things not checked.
 void add_endurance_checks(const std::vector<EnduranceResult>& results, const VerdictThresholds& thresholds,
                           const std::string& set, SimulationVerdict& verdict);
 
-/// Adds to the list of things not checked: everything that the simulated scenarios do not cover, with the
-/// commands that check it, and everything that no simulation can check. extended: true if every scenario was
-/// extended.
+/// Extends the list of things not checked. Adds everything that the simulated scenarios do not cover, with
+/// the commands that check it, and everything that no command checks. extended: true if every scenario was
+/// extended to a long time.
 void add_unchecked(const std::vector<Scenario>& scenarios, bool extended, SimulationVerdict& verdict);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
 // Checks whether gains tolerate a rotor inertia that differs from its estimate. Robots whose data give no
-// rotor inertia can have an estimated one.
+// rotor inertia can have an estimate (rotor_estimate.hpp).
 
 #include <atomic>
 

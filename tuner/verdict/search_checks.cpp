@@ -16,8 +16,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Returns what a constraint's value is: that of the scenario's own arm, or of many arms by the study's
-/// measure.
+/// Returns words for how a constraint's value is computed: over the scenario's own arm, or over many arms
+/// with the study's risk measure.
 std::string judged_by(const Study& study) {
   if (!study.robust) return "value over the whole scenario";
   return fmt::format("value: {} of {} arms",
@@ -25,8 +25,8 @@ std::string judged_by(const Study& study) {
                      arms(*study.robust));
 }
 
-/// The broken constraint c of the point `best`, in the scenario where it misses most, with the joint and the
-/// time of its first breach.
+/// Returns the failed check of constraint c at the point `best`. It names the scenario with the largest
+/// violation, and the joint and the time of the first breach there.
 Check broken_constraint(const Study& study, const Evaluation& best, const Objective& objective,
                         std::size_t c) {
   const Constraint& constraint = objective.constraints()[c];
@@ -46,8 +46,8 @@ Check broken_constraint(const Study& study, const Evaluation& best, const Object
   check.scenario = scenario.name;
   check.value = best.results[worst].metrics[constraint.metric];
   check.threshold = objective.limit(c, worst);
-  // A rollout can end at a limit only where passing it makes the metric worse: at_most where less is better,
-  // at_least where more is.
+  // A rollout can be ended at a limit only if going beyond the limit makes the metric worse: at_most where
+  // less is better, at_least where more is better.
   if (constraint.upper == larger_is_better(constraint.metric)) return check;
   if (const auto breach = first_breach(study, scenario, best.gains, {constraint.metric, check.threshold})) {
     check.arm = breach->arm;
@@ -58,7 +58,8 @@ Check broken_constraint(const Study& study, const Evaluation& best, const Object
   return check;
 }
 
-/// The same of a margin's constraint, whose corner says itself why it does not hold.
+/// Returns the failed check of constraint c, which demands a stability margin. The simulation at this margin
+/// gives the reason of the failure.
 Check broken_margin(const Study& study, const Evaluation& best, const Objective& objective, std::size_t c) {
   const Constraint& constraint = objective.constraints()[c];
   Check check{CheckKind::kConstraints, false};
@@ -211,7 +212,7 @@ bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOpti
   how.samples = static_cast<std::uint64_t>(study.thresholds.arms);
   how.stepper = study.stepper;
   how.workers = options.workers;
-  if (study.robust && study.robust->seed == how.seed) ++how.seed;  // other arms than those tuned on
+  if (study.robust && study.robust->seed == how.seed) ++how.seed;  // other arms than those of the search
   if (study.stepper != Stepper::kReference) how.engine = Engine::kNative;
   how.progress = [&](std::size_t done, std::size_t all) {
     if (options.progress) options.progress("random arms", done, all);

@@ -1,6 +1,6 @@
 #pragma once
-// Checks of the result of a search: constraints, improvement over the start, gains on their bounds, stability
-// margins, and random arms.
+// Adds the checks of a search's result to a verdict: constraints, improvement over the start, gains on their
+// bounds, stability margins, and random arms.
 
 #include <atomic>
 #include <functional>
@@ -25,7 +25,8 @@ SearchOutcome outcome_of(const TuneResult& result);
 /// Returns the name of the resulting gains for tables: "tuned", "start (kept)" or "least violation".
 const char* name(SearchOutcome outcome);
 
-/// Adds a check of the study's constraints in Simbody, and a check that the result is better than the start.
+/// Adds a check of the study's constraints in Simbody, and a check that the result is better than the start
+/// gains.
 void add_search_checks(const Study& study, const TuneResult& result, const Objective& objective,
                        SimulationVerdict& verdict);
 
@@ -38,12 +39,12 @@ struct DeepCheckOptions {
 };
 
 /// Adds a check of each stability margin at its threshold, in every scenario, in Simbody. If no scenario has
-/// velocity noise, the noise margin is listed as not checked. Returns false if `stop` interrupted them.
+/// velocity noise, the noise margin is listed as not checked. Returns false if `stop` interrupted the checks.
 bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                        const std::atomic<bool>& stop, SimulationVerdict& verdict);
 
-/// Adds a check of the yield over random arms. If the study tunes on random arms, the check uses other ones.
-/// Returns false if `stop` interrupted the check.
+/// Adds a check of the yield, that is, the share of random arms that keep their limits. If the study tunes on
+/// random arms, the check uses other random arms. Returns false if `stop` interrupted the check.
 bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                      const std::atomic<bool>& stop, SimulationVerdict& verdict);
 

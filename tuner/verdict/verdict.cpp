@@ -9,7 +9,7 @@
 namespace armtune::internal {
 namespace {
 
-/// More failures than this are counted, not listed.
+/// Largest number of failures that are listed. The text gives only the number of further failures.
 constexpr std::size_t kMostListed = 6;
 
 std::vector<const Check*> failures(const SimulationVerdict& verdict) {
@@ -20,7 +20,7 @@ std::vector<const Check*> failures(const SimulationVerdict& verdict) {
   return failed;
 }
 
-/// The kinds of checks that were made, each once.
+/// Returns the kinds of checks that were made, each once.
 std::vector<std::string> kinds_of(const SimulationVerdict& verdict) {
   std::vector<std::string> kinds;
   for (const Check& check : verdict.checks) {

@@ -1,4 +1,4 @@
-// verdict.yaml: writer and reader.
+// Writes and reads verdict.yaml.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include "tuner/record/json_reader.hpp"
 #include "tuner/verdict/verdict.hpp"
 
-// Where the types are, so that the reader finds them.
+// These functions are in the namespace of the types, so that argument-dependent lookup finds them.
 namespace armtune {
 
 static void declare(auto& f, internal::record::Of<Check> auto& check) {

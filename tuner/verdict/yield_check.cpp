@@ -14,11 +14,11 @@
 namespace armtune::internal {
 namespace {
 
-/// Why a random arm is not counted in the yield.
+/// The reason why a random arm is not counted in the yield.
 struct Cause {
   std::string broken;
   std::size_t scenario = 0;
-  std::string joint;  ///< known of velocity limits only
+  std::string joint;  ///< known only for velocity limits
   bool operator<(const Cause& other) const {
     return std::tie(broken, scenario, joint) < std::tie(other.broken, other.scenario, other.joint);
   }
@@ -53,7 +53,7 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
   check.threshold = asked;
   check.unit = "of the arms";
   check.passed = check.value >= asked;
-  // What breaks most often says where to look.
+  // The most frequent failure shows where to look.
   std::map<Cause, std::size_t> causes;
   for (const MonteCarloSample& sample : samples) {
     for (std::size_t s = 0; s < scenarios.size(); ++s) {

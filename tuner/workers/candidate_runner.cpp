@@ -59,8 +59,9 @@ std::optional<std::vector<std::vector<RolloutResult>>> CandidateRunner::run(std:
   const std::size_t each = units_.size();
   std::vector<std::vector<RolloutResult>> results(candidates.size(), std::vector<RolloutResult>(each));
   std::vector<std::size_t> left(candidates.size(), each);
-  // Candidate by candidate, so that each is finished, and on disk, as early as can be; the longest scenario
-  // first: short rollouts fill the gaps at the end.
+  // The jobs of one candidate come before those of the next one, so that each candidate is finished, and on
+  // disk, as early as possible. Its longest scenario comes first, so that short rollouts fill the gaps at the
+  // end.
   const auto candidate_of = [&](std::size_t i) { return i / each; };
   const auto scenario_of = [&](std::size_t i) { return units_[i % each].scenario; };
   const auto sample_of = [&](std::size_t i) { return units_[i % each].sample; };

@@ -16,9 +16,9 @@
 
 namespace armtune::internal {
 
-/// Returns the plan for simulating the scenarios with their own arms or, if there is a sample set, with each
-/// arm of this set. The corners of margins (corner.hpp) are always simulated with their own arm. They must
-/// come last in `scenarios`.
+/// Returns the plan for simulating the scenarios with their own arms or, if there is a set of random arms
+/// (sample_set.hpp), with each arm of this set. Corners are additional scenarios for stability margins
+/// (corner.hpp). They are always simulated with their own arm, and must come last in `scenarios`.
 RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
                     const std::optional<SampleSet>& samples);
 

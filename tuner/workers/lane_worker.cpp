@@ -10,7 +10,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Between two looks at clock and stop: as long as a few periods of one arm in Simbody.
+/// Number of control periods between two checks of the clock and of `stop`. They take as long as a few
+/// periods of one arm in Simbody.
 constexpr int kPeriodsAtOnce = 16;
 
 }  // namespace
@@ -18,7 +19,7 @@ constexpr int kPeriodsAtOnce = 16;
 /// Lanes for jobs of one kind, and the jobs that are under way in them.
 class LaneWorker::LaneGroup {
  public:
-  /// share: how many there will be at once; wider lanes than that only cost time.
+  /// share: largest number of jobs at once. More lanes than that would only cost time.
   LaneGroup(const LaneKind& kind, std::size_t share)
       : kind_(kind),
         lanes_(kind, static_cast<int>(std::min(share, most()))),
@@ -36,7 +37,7 @@ class LaneWorker::LaneGroup {
     under_way_[static_cast<std::size_t>(lane)].emplace(InLane{std::move(one), {}});
   }
 
-  /// Some control periods, until a rollout ends.
+  /// Simulates kPeriodsAtOnce control periods, or fewer if a rollout ends.
   void step(JobSource& jobs) {
     bool some_ended = false;
     for (int i = 0; i < kPeriodsAtOnce && busy() > 0 && !some_ended; ++i) {
@@ -54,7 +55,7 @@ class LaneWorker::LaneGroup {
     for (std::size_t lane = 0; lane < under_way_.size(); ++lane) {
       std::optional<InLane>& one = under_way_[lane];
       if (!one) continue;
-      // Side by side a rollout takes longer than alone, all of them together less.
+      // A rollout takes longer beside others than alone, but all of them together take less time.
       if (one->time.look() > arms_ * deadline_of(plan.deadline, plan.scenarios[one->job.job.scenario])) {
         throw alone.late(one->job.job, arms_, lanes_.time(static_cast<int>(lane)));
       }
@@ -79,7 +80,7 @@ class LaneWorker::LaneGroup {
 
   LaneKind kind_;
   RolloutLanes lanes_;
-  int arms_;  ///< that share the thread: a rollout may take as many times its deadline
+  int arms_;  ///< number of arms that share the thread; multiplies the deadline
   std::vector<std::optional<InLane>> under_way_;  ///< per lane
 };
 

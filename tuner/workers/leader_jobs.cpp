@@ -21,7 +21,7 @@ void LeaderJobs::look() {
     auto message = transport_.receive(0);
     if (!message) return;
     if (kind_of(*message) == MessageKind::kStop) {
-      stopped_ = read_stop(*message) >= last_;  // or it is of jobs that were done before it came
+      stopped_ = read_stop(*message) >= last_;  // otherwise its jobs were done already
       continue;
     }
     if (kind_of(*message) == MessageKind::kJob) {

@@ -17,7 +17,7 @@ namespace armtune::internal {
 class LeaderJobs final : public JobSource {
  public:
   /// first: the message with the first job. others: If a message arrives that is neither a job of the same
-  /// pool nor an order to stop, it is appended to this list, and the work ends.
+  /// pool (RolloutPool) nor an order to stop, it is appended to this list, and the work ends.
   LeaderJobs(Transport& transport, const std::string& first, std::deque<std::string>& others);
 
   std::uint64_t pool() const { return pool_; }

@@ -28,7 +28,7 @@ ByteReader opened(const std::string& message, MessageKind kind) {
   return reader;
 }
 
-/// Every field of a gain set, switches too, each with how many numbers it has.
+/// Adds every field of a gain set. Numbers are preceded by their count; a switch is one integer.
 void add_gains(ByteWriter& writer, const Gains& gains) {
   writer.add(std::string_view(gains.controller));
   for (const GainField& field : fields_of(gains)) {
@@ -44,7 +44,7 @@ void add_gains(ByteWriter& writer, const Gains& gains) {
   }
 }
 
-/// Gives a field whose size depends on the arm `count` numbers.
+/// Resizes a field to `count` numbers if its size depends on the arm.
 void make_room(Gains& gains, const GainField& field, std::uint64_t count) {
   const auto resize = [&](auto& values) {
     if (count > static_cast<std::uint64_t>(std::remove_cvref_t<decltype(values)>::MaxRowsAtCompileTime)) {
@@ -137,7 +137,7 @@ std::string job_message(const NumberedJob& job) {
   writer.add(job.number);
   writer.add(job.pool);
   writer.add(job.share);
-  // A member that is added has to be sent too: then these do not compile.
+  // A new member of RolloutJob must be sent too. Until it is added here, this line does not compile.
   const auto& [scenario, sample, gains, limits, engine] = job.job;
   writer.add(std::uint64_t{scenario});
   writer.add(sample);

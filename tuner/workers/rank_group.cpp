@@ -21,7 +21,7 @@ namespace {
 
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
-/// What has to be the same in every process before it reads anything.
+/// Returns the facts that must be the same in every process. They are compared before any file is read.
 Facts program_facts(const std::string& command_line) {
   Facts facts = {{"command line", command_line}};
   for (const auto& [library, version] : versions()) facts.emplace_back("version of " + library, version);
@@ -29,7 +29,7 @@ Facts program_facts(const std::string& command_line) {
   return facts;
 }
 
-/// The first difference, or empty.
+/// Returns the first difference as a text; empty if there is none.
 std::string difference(const Hello& rank, const Hello& leader) {
   for (std::size_t i = 0; i < rank.facts.size() && i < leader.facts.size(); ++i) {
     const auto& [what, theirs] = rank.facts[i];
@@ -154,7 +154,7 @@ std::string RankGroup::next_from_leader() {
   }
   for (Patience patience;; patience.sleep()) {
     if (auto message = transport_->receive(0)) return std::move(*message);
-    // What started this process is gone: so is the run.
+    // The process that started this one has ended, so the run has ended too.
     if (::getppid() != parent_) std::_Exit(EXIT_FAILURE);
   }
 }
@@ -164,7 +164,7 @@ void RankGroup::serve() {
     const std::string message = next_from_leader();
     switch (kind_of(message)) {
       case MessageKind::kGo:
-      case MessageKind::kStop:  // of a job that was done before it came
+      case MessageKind::kStop:  // its job was done already
         break;
       case MessageKind::kJob:
         work(message);

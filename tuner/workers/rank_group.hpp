@@ -27,8 +27,8 @@ struct Peer {
 
 class RankGroup {
  public:
-  /// transport: null if this process works alone. If rank 0 waits for another rank for more than kSayAfter,
-  /// it reports this to `notice`, once for each rank.
+  /// transport: null if this process works alone. If rank 0 waits for another rank for more than kSayAfter
+  /// (transport.hpp), it reports this to `notice`, once for each rank.
   explicit RankGroup(std::unique_ptr<Transport> transport, Notice notice = {});
   ~RankGroup();
   RankGroup(const RankGroup&) = delete;
@@ -42,7 +42,7 @@ class RankGroup {
 
   /// Compares command line, versions and arithmetic of all ranks. Every process of a run calls it first, with
   /// its own command line. Returns true if the run can begin. If a rank differs, rank 0 throws InputError. In
-  /// the other ranks, the function then returns false as soon as rank 0 has dismissed them.
+  /// the other ranks, the function then returns false as soon as rank 0 has dismissed them (see end()).
   bool call_roll(const std::string& command_line);
 
   /// Begins the work on a plan. Every process of a run calls it once, as soon as it has made the plan. In the
@@ -58,11 +58,10 @@ class RankGroup {
   std::unique_ptr<RolloutPool> pool();
 
   /// Reports to rank 0 why this rank cannot call begin(). Rank 0 then throws InputError with this text. Call
-  /// it only in other ranks than 0. Returns as soon as rank 0 has dismissed this rank.
+  /// it only in ranks other than 0. Returns as soon as rank 0 has dismissed this rank.
   void fail(const std::string& what);
 
-  /// True if rank 0 has dismissed this rank, in other ranks than 0. exit_code() is then the exit code of the
-  /// run.
+  /// True if this is not rank 0, and rank 0 has dismissed it. exit_code() is then the exit code of the run.
   bool left() const { return left_; }
   int exit_code() const { return exit_code_; }
 

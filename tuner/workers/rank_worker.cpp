@@ -1,4 +1,5 @@
-// A rank's jobs, as rank 0 sees them: sent, waited for, given up when even the rank's own deadline is past.
+// The jobs of another rank, as rank 0 sees them. Rank 0 sends them and waits for the results. It fails if the
+// rank does not even answer after its own deadline.
 
 #include <fmt/format.h>
 
@@ -15,7 +16,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Past its deadline a rank says so within a control period. [s]
+/// Time for which rank 0 waits beyond the deadline of a rank [s]. The rank itself reports within a control
+/// period that its deadline has passed.
 constexpr double kGrace = 5.0;
 
 class RankWorker final : public RolloutWorker {
@@ -48,9 +50,9 @@ class RankWorker final : public RolloutWorker {
   }
 
  private:
-  /// As many as this process could do side by side, but no more than is the rank's share. A rank with wider
-  /// registers does as many, one with narrower ones the others after these; its deadline counts no more of
-  /// them than this one's.
+  /// Sends as many jobs as this process could simulate side by side, but no more than the rank's share. A
+  /// rank with wider vector registers simulates as many at once. A rank with narrower ones simulates some of
+  /// them afterwards. Its deadline is never multiplied by more arms than in longest().
   void send(JobSource& jobs) {
     while (open_.empty() || open_.size() < most_) {
       std::optional<GivenJob> one = jobs.next();
@@ -80,7 +82,7 @@ class RankWorker final : public RolloutWorker {
     jobs.finished(number, std::move(result));
   }
 
-  /// In which one of them at least is done, or said to be late. [s]
+  /// Returns the time within which the rank finishes one of its open jobs, or reports that it is late [s].
   double longest() const {
     double seconds = 0.0;
     for (const auto& [number, one] : open_) {
@@ -89,7 +91,7 @@ class RankWorker final : public RolloutWorker {
     return static_cast<double>(most_) * seconds;
   }
 
-  /// The job it was given first, as messages name it.
+  /// Returns the name of the oldest open job, for messages.
   std::string what() const {
     const RolloutJob& oldest = open_.begin()->second.job;
     return plan_.scenarios[oldest.scenario].name +
@@ -109,8 +111,8 @@ class RankWorker final : public RolloutWorker {
   std::uint64_t pool_;
   const RolloutPlan& plan_;
   const Notice& notice_;
-  std::map<std::uint64_t, GivenJob> open_;  ///< sent and not answered, by the rank's own number
-  std::size_t most_ = 1;                    ///< of them at once
+  std::map<std::uint64_t, GivenJob> open_;  ///< jobs without an answer, by their number in the rank
+  std::size_t most_ = 1;                    ///< largest number of open jobs
 };
 
 }  // namespace

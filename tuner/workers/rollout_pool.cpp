@@ -27,7 +27,7 @@ class SharedJobs final : public JobSource {
     const std::lock_guard lock(mutex_);
     finished_(number, std::move(result));
   }
-  /// No more are given out.
+  /// Makes next() return no further job.
   void close() { closed_ = true; }
 
  private:

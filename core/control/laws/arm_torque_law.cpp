@@ -44,7 +44,7 @@ class ArmTorqueLaw final : public TorqueLaw {
   bool adaptive_;
   bool projects_;
   double period_;
-  std::optional<LawPeriodT<double>> at_;  ///< of the last torque()
+  std::optional<LawPeriodT<double>> at_;  ///< arguments of the last torque()
 };
 
 }  // namespace

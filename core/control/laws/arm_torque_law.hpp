@@ -1,6 +1,6 @@
 #pragma once
-// An adapter: it makes a law that is a template for one or several arms (arm_law.hpp) usable as the torque
-// law of one arm (torque_law.hpp).
+// Adapts a law that is a template for one or several arms (arm_law.hpp) for use as the torque law of one arm
+// (torque_law.hpp).
 
 #include <memory>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace armtune::internal {
 
-/// Returns the start values of a law that is such a template, for these gains. own: storage for pointers to
-/// the gains that only this kind of controller has. own, gains and theta must outlive the result.
+/// Returns the start values of such a law for these gains. own: storage for pointers to the gains that only
+/// this kind of controller has. own, gains and theta must outlive the result.
 LawNumbers law_numbers(const Gains& gains, const ParameterVector& theta, double period,
                        std::vector<const double*>& own);
 

@@ -11,9 +11,9 @@
 namespace armtune::internal {
 namespace {
 
-/// Of the pseudo-inverse in the null space, the square of 0.2 in the source.
+/// Damping of the pseudo-inverse for the null space: the square of 0.2, as in the source (see the header).
 constexpr double kNullSpaceDamping = 0.04;
-/// Nothing integrates, so stiffness alone resists errors of the model.
+/// The law has no integral, so the stiffness alone resists errors of the model.
 constexpr double kFirstStiffRate = 40.0;  // 1/s
 
 class CartesianImpedanceLaw final : public TorqueLaw {
@@ -96,7 +96,7 @@ class CartesianImpedanceLaw final : public TorqueLaw {
   JointVector free_, moving_;
 };
 
-/// Critically damped along each axis of the task, with both poles at kFirstStiffRate. The rotational
+/// Sets critically damped gains for each axis of the task, with both poles at kFirstStiffRate. The rotational
 /// stiffness acts with half of its value.
 void first_impedance(const RobotModel& robot, const JointVector& q, Gains& gains) {
   const Vec6 inertia = task_inertia(robot, q);
@@ -107,7 +107,7 @@ void first_impedance(const RobotModel& robot, const JointVector& q, Gains& gains
     K[axis] = kFirstStiffRate * kFirstStiffRate * inertia[axis] / share;
     ratio[axis] = std::sqrt(share * inertia[axis]);
   }
-  // No joint motion is free, but the damped projector would let part of the torque through.
+  // With up to six joints no motion is free, but the damped projector would let part of the torque through.
   if (robot.n() <= 6) own(gains, "cartesian_impedance_nullspace_k")[0] = 0.0;
   without_velocity_limits(gains);
 }

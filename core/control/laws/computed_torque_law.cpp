@@ -6,7 +6,7 @@
 namespace armtune::internal {
 namespace {
 
-/// No part of this law learns the errors of the model: the feedback alone corrects what they do.
+/// This law does not learn the errors of the model, so the feedback alone corrects their effect.
 constexpr double kStiffRate = 60.0;  // 1/s
 
 }  // namespace

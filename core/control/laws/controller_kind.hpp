@@ -24,7 +24,7 @@ struct ControllerKind {
   std::vector<GainField> own;
   std::function<std::unique_ptr<TorqueLaw>(const LawSetup&)> make;
   /// Sets start values of the own gains if there are none yet. q (n): joint positions of the arm on its task.
-  /// Empty: they keep the defaults of own_gain.
+  /// If this function is empty, the gains keep the defaults of own_gain.
   std::function<void(const RobotModel&, const JointVector& q, Gains&)> start;
   /// True if the law adapts its model of the arm online.
   bool learns = false;
@@ -32,21 +32,22 @@ struct ControllerKind {
   std::optional<ArmLawKind> lanes = {};
 };
 
-/// Makes a kind's own gain, which is never negative. otherwise: default of each of its values. A search
-/// varies it between lower_factor and upper_factor times its start, unless a study gives another range. To
-/// find the gain margin, it is multiplied by factors (tuner/robustness).
+/// Makes a gain that only one kind of controller has. It is never negative. otherwise: default of each of its
+/// values. A search varies the gain between lower_factor and upper_factor times its start value, unless the
+/// study (the file that describes the search) gives another range. To find the gain margin, the gain is
+/// multiplied by factors (tuner/robustness).
 GainField own_gain(GainShape shape, const char* name, const char* unit, const char* meaning, double otherwise,
                    double lower_factor = 0.2, double upper_factor = 5.0);
 /// Returns the same gain, but zero is refused.
 GainField positive(GainField gain);
-/// Returns the same gain, but it is not multiplied to find the gain margin: a length, an angle, a scale.
+/// Returns the same gain, but it is not multiplied to find the gain margin. Use it for lengths, angles and
+/// scales.
 GainField not_in_loop(GainField gain);
-/// Returns the same gain, but where the search for the gain margin multiplies other gains by a factor, it
-/// multiplies this one by the factor's root. This suits a damping ratio: damping is ratio times
-/// sqrt(stiffness).
+/// Returns the same gain, but to find the gain margin it is multiplied by the square root of the factor for
+/// the other gains. This suits a damping ratio, because damping is ratio times sqrt(stiffness).
 GainField root_in_loop(GainField gain);
-/// Returns the same gain, but a search leaves it unchanged unless a study names it, and it is not multiplied
-/// to find the gain margin.
+/// Returns the same gain, but a search leaves it unchanged unless the study names it, and it is not
+/// multiplied to find the gain margin.
 GainField not_tuned(GainField gain);
 
 /// Adds a kind. It must be called before anything is loaded. Throws InputError if the name of the kind or of
@@ -65,8 +66,8 @@ std::vector<const ControllerKind*> controller_kinds();
 const std::vector<GainField>& fields_of(const ControllerKind& kind);
 const std::vector<GainField>& fields_of(const Gains& gains);
 
-/// Multiplies the gain of the control loop by a factor, by the gains that it depends on
-/// (GainField::loop).
+/// Multiplies the gain of the control loop by a factor. It changes the gains on which the loop depends as
+/// GainField::loop says.
 void scale_loop_gains(Gains& gains, double factor);
 
 /// Returns the values of the kind's own gain of that name: 1, 6 or n. Throws InputError if it has none.

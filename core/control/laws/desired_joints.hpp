@@ -1,6 +1,7 @@
 #pragma once
-// The joint motion that a controller of joint trajectories tracks. Under such controllers the arm can also do
-// tasks of the tool, whose references are joint velocities: these are then integrated to positions.
+// Computes the joint motion that a controller for joint trajectories tracks. With such a controller the arm
+// can also perform tasks of the tool. The references of these tasks are joint velocities, which are
+// integrated to positions here.
 
 #include "core/control/laws/torque_law.hpp"
 
@@ -11,11 +12,12 @@ class DesiredJoints {
   /// n: number of joints; period: control period [s].
   DesiredJoints(int n, double period) : period_(period), step_(JointVector::Zero(n)) {}
 
-  /// Returns the desired position, velocity and acceleration (n each) of this period. Where a joint motion is
-  /// followed (followPlan), it is that motion. In other states it is the reference velocity, and its integral
-  /// from where the last motion ended, or from the measured position at the start. While an obstacle repels
-  /// the arm, the desired position is the measured one: the repulsion must move the arm, not stretch a
-  /// spring. Is called once per period. Allocates nothing after the first period.
+  /// Returns the desired position, velocity and acceleration (n each) of this period. In the state followPlan
+  /// they are those of the plan. In other states the velocity and acceleration are the references, and the
+  /// position is the integral of the reference velocity. This integral starts from the plan's last position
+  /// if there was a plan, else from the measured position. While an obstacle repels the arm, the desired
+  /// position is the measured one: the repulsion must move the arm, not stretch a spring. Call this function
+  /// once per period. It allocates nothing after the first period.
   MotionPoint<JointVector> next(const LawInput& in) {
     const ControlOutput& control = in.control;
     if (control.state == ControlState::kFollowPlan) {

@@ -9,7 +9,7 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kFirstTaskIntegral = 0.1;  // 1/s^2
-constexpr double kMoves = 1e-9;             // of the axis that moves most: anything less is none that moves
+constexpr double kMoves = 1e-9;             // share of the most mobile axis, below which an axis is fixed
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 #pragma once
 // Computes start gains for an arm that has none. A gain on joint motion is the inertia that the joint moves,
-// multiplied by a closed-loop rate [1/s] that the controllers of real arms reach. Kp of the task is such a
-// rate itself.
+// multiplied by a closed-loop rate [1/s] that the controllers of real arms reach. Kp of the task is itself
+// such a rate.
 
 #include "core/control/gains.hpp"
 #include "core/robot/robot_model.hpp"
@@ -14,15 +14,15 @@ inline constexpr double kFirstTaskRate = 15.0;  ///< decay of the task's errors 
 /// errors would start to oscillate.
 inline constexpr double kFirstIntegralShare = 0.025;
 
-/// Returns M(q) + D (n x n).
+/// Returns M(q) + D (n x n): the inertia matrix of the links plus the diagonal matrix of the rotor inertias.
 JointMatrix mass_with_rotors(const RobotModel& robot, const JointVector& q);
 
 /// Returns the inertia that each joint (n) moves at q while the other joints are free [kg m^2, kg]. It is
 /// 1 / (M^-1)_ii, where M includes the rotors.
 JointVector joint_inertia(const RobotModel& robot, const JointVector& q);
 
-/// Sets the stiffness and damping (n) of springs and dampers on the joints: critically damped, with poles at
-/// half of kFirstRate, for each joint with the others free.
+/// Sets the stiffness and damping (n) of springs and dampers on the joints. They are critically damped for
+/// each joint with the others free, with both poles at half of kFirstRate.
 void critically_damped(const RobotModel& robot, const JointVector& q, JointVector& stiffness,
                        JointVector& damping);
 

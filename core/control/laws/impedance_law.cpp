@@ -7,8 +7,8 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kStiffRate = 40.0;  // 1/s
-/// Outside the task nothing is stiff: there only the joints' dampers resist the errors
-/// of the model, without which the arm drifts to its limits.
+/// Motion outside the task has no stiffness. There only the joints' damping resists errors of the model;
+/// without it the arm would drift to its limits.
 constexpr double kDampedRate = 20.0;  // 1/s
 
 }  // namespace
@@ -23,7 +23,7 @@ ControllerKind impedance_controller() {
            own_gain(GainShape::kJoints, "impedance_joint_d", "N m s/rad", "damping of each joint", 1.0)},
           [](const LawSetup& setup) { return make_torque_law(ArmLawKind::kImpedance, setup); },
           [](const RobotModel& robot, const JointVector& q, Gains& gains) {
-            // Critically damped. Nothing integrates, so what the model has wrong is held by stiffness alone.
+            // Critically damped. The law has no integral, so stiffness alone resists errors of the model.
             const Vec6 inertia = task_inertia(robot, q);
             own(gains, "impedance_k") = kStiffRate * kStiffRate * inertia;
             own(gains, "impedance_d") = 2.0 * kStiffRate * inertia;

@@ -1,6 +1,6 @@
 #pragma once
-// The control law of joint impedance control, as the example controllers for Franka's arms and UR's torque
-// interface have it. Gains for the real controller are tuned with it.
+// Joint impedance control, as in the example controllers for Franka's arms and in controllers that command
+// torques on UR robots. armtune simulates this law to tune gains for the real controller.
 
 #include "core/control/laws/controller_kind.hpp"
 
@@ -8,14 +8,15 @@ namespace armtune::internal {
 
 inline constexpr const char* kJointImpedance = "joint_impedance";
 
-/// Makes the kind of this name. Each joint is a spring and a damper along the desired motion:
+/// Makes the kind of controller with this name. A spring and a damper pull each joint to the desired motion:
 ///   c = k (qd - q) + d (velocity_factor qd' - v) + coriolis_factor C(q, q') q',   v = f v_last + (1 - f) q',
-///   tau = g(q) + (c, changed by at most torque_rate times the period).
-/// v, and c before the first period, begin at 0, as on the robot. g(q) and C follow from the controller's
-/// model of the arm, without friction; robots with a torque interface add g(q) themselves. Source:
-/// franka_ros, joint_impedance_example_controller.cpp, commit c11f000 (28 March 2024), with f = 0.01 and a
-/// torque_rate of 1000 N m/s (here the default is 0: no limit). The examples of franka_ros2 (40cf08b) have a
-/// velocity_factor of 0.
+///   tau = g(q) + c,
+/// where c is limited to change by at most torque_rate times the period from one period to the next. v and c
+/// start at 0, as on the robot. g(q) and C follow from the controller's model of the arm, without friction;
+/// robots with a torque interface add g(q) themselves.
+/// Source: franka_ros, joint_impedance_example_controller.cpp, commit c11f000 (28 March 2024), with f = 0.01
+/// and a torque_rate of 1000 N m/s (here the default is 0: no limit). The examples of franka_ros2 (40cf08b)
+/// have a velocity_factor of 0.
 ControllerKind joint_impedance_controller();
 
 }  // namespace armtune::internal

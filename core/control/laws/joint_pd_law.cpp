@@ -8,9 +8,9 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kOuterShare = 0.25;  // of the slowest joint motion's rate
+constexpr double kOuterShare = 0.25;  // largest task gain over the slowest joint motion's rate
 
-/// Of M^-1 D, the smallest eigenvalue [1/s]: how fast the slowest joint motion dies.
+/// Returns the smallest eigenvalue of M^-1 D [1/s], the rate at which the slowest joint motion decays.
 double slowest_rate(const RobotModel& robot, const JointVector& q, const JointVector& D) {
   const JointVector scale = D.cwiseSqrt().cwiseInverse();
   const JointMatrix slowness = scale.asDiagonal() * mass_with_rotors(robot, q) * scale.asDiagonal();
@@ -30,7 +30,7 @@ ControllerKind joint_pd_controller() {
           [](const RobotModel& robot, const JointVector& q, Gains& gains) {
             JointVector& D = own(gains, "joint_pd_d");
             critically_damped(robot, q, own(gains, "joint_pd_p"), D);
-            // Where joints move each other it is slower, and the task's loop around it has to be slower
+            // Coupling between joints slows the joint loops. The task's loop around them must be slower
             // still.
             const Vec6 Kp = gains.task_space_gains_p.cwiseMin(kOuterShare * slowest_rate(robot, q, D));
             gains.task_space_gains_p = Kp;

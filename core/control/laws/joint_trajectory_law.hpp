@@ -1,6 +1,6 @@
 #pragma once
-// The control laws of ROS's joint_trajectory_controller on an effort or a velocity interface. Gains for the
-// real controller are tuned with them.
+// The control laws of ROS's joint_trajectory_controller with an effort or a velocity interface. armtune
+// simulates them to tune gains for the real controller.
 
 #include "core/control/laws/controller_kind.hpp"
 
@@ -20,8 +20,8 @@ std::string jtc_name(const std::string& kind, const std::string& what);
 const JointVector& jtc_gain(const Gains& gains, const std::string& what);
 JointVector& jtc_gain(Gains& gains, const std::string& what);
 
-/// Makes the kind with effort commands. Each joint has a PID on its errors along the desired motion, and a
-/// share of the desired velocity:
+/// Makes the kind with effort commands. Each joint has a PID on its error from the desired motion, and a
+/// feed-forward of the desired velocity:
 ///   tau_i = p e_i + clamp(i int(e_i), +-i_clamp) + d e_i' + ff_velocity_scale qd_i'(t + period),
 ///   e = qd - q,   qd: desired positions.
 /// The law has no model of the arm and does not compensate its weight. A robot with compensates_gravity adds

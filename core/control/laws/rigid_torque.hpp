@@ -1,7 +1,7 @@
 #pragma once
-// The gravity torque, and the Coriolis and centrifugal torque, of the arm model that a controller has. The
-// model has no friction. Franka's robots add the gravity torque themselves, so that impedance controllers
-// for them add only the Coriolis and centrifugal torque.
+// Computes the gravity torque, and the Coriolis and centrifugal torque, from the controller's model of the
+// arm, without friction. Franka's robots add the gravity torque themselves, so that impedance controllers for
+// them add only the Coriolis and centrifugal torque.
 
 #include "core/control/measured_arm.hpp"
 #include "core/robot/slotine_li.hpp"

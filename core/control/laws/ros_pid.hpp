@@ -1,8 +1,8 @@
 #pragma once
 // The PID of one joint as in ROS's control_toolbox: branch `humble` (3.7) and branch `jazzy` (4.11, of 6 May
-// 2026). Parameter files can choose between two kinds of anti-windup: a limit of the integral's
-// contribution to the command (kOfContribution), and a limit of the integral itself (kOfIntegral). A file
-// with another method, or with u_max and the like, is refused.
+// 2026). A controller's parameter file can choose between two kinds of anti-windup: a limit of the integral's
+// contribution to the command (kOfContribution), and a limit of the integral itself (kOfIntegral). armtune
+// refuses a file that chooses another kind, or that limits the output by u_clamp_max or u_clamp_min.
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,11 @@
 namespace armtune::internal {
 
 enum class AntiWindup {
-  /// The integral grows without bound; its contribution is clamped. Humble and ROS 1 with
-  /// `antiwindup: false`, which is their default.
+  /// The integral grows without bound; its contribution is clamped. This is what humble and ROS 1 do with
+  /// `antiwindup: false`, their default.
   kOfContribution,
-  /// The integral is clamped before it is used. Humble and ROS 1 with `antiwindup: true`; Jazzy's `legacy`.
+  /// The integral is clamped before it is used. This is what humble and ROS 1 do with `antiwindup: true`, and
+  /// Jazzy with `legacy`.
   kOfIntegral,
   /// Jazzy's `none`: the integral is used unchanged, then it grows, then it is clamped.
   kNone,
@@ -31,7 +32,7 @@ struct RosPidGains {
   double i = 0.0;                                           ///< [output / (error s)]
   double d = 0.0;                                           ///< [output s / error]
   double i_max = std::numeric_limits<double>::infinity();   ///< upper bound of the integral's contribution
-  double i_min = -std::numeric_limits<double>::infinity();  ///< lower bound of it, below i_max
+  double i_min = -std::numeric_limits<double>::infinity();  ///< lower bound of the contribution, below i_max
   double u_max = std::numeric_limits<double>::infinity();   ///< upper bound of the output; Jazzy only
   double u_min = -std::numeric_limits<double>::infinity();
   AntiWindup anti_windup = AntiWindup::kOfIntegral;

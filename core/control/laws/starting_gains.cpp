@@ -9,9 +9,9 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kJointRate = 5.0;           // 1/s
-constexpr double kShareOfVelocity = 0.4;     // of the limits, at most, on the way to the goal
-constexpr double kShortest = 3.0;            // s, of that way
-constexpr double kQuinticPeak = 15.0 / 8.0;  // of a rest-to-rest quintic's velocity over its mean
+constexpr double kShareOfVelocity = 0.4;     // largest share of velocity limits on the way to the goal
+constexpr double kShortest = 3.0;            // s, least duration of that motion
+constexpr double kQuinticPeak = 15.0 / 8.0;  // peak over mean velocity of a rest-to-rest quintic
 
 }  // namespace
 
@@ -28,7 +28,7 @@ Gains starting_gains(const RobotModel& robot, const JointVector& start, const Jo
   gains.task_space_gains_d = gains.joint_space_gains_d;
   const double slowest = ((goal - start).array().abs() / robot.velocity_limits().array()).maxCoeff();
   gains.joint_trajectory_duration = std::max(kShortest, std::ceil(kQuinticPeak * slowest / kShareOfVelocity));
-  // Lengths as the published gains have them to the UR10's reach.
+  // These lengths have the ratio to the reach that the published gains have to the UR10's reach.
   gains.obstacleInfluenceRadius = 0.25 * size;
   gains.trajectoryDurationErrorGain = 9.0 / size;
   gains.force_control_gains = JointVector::Constant(n, 2.0 * robot.effort_limits().maxCoeff() / size);

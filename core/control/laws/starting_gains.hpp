@@ -8,7 +8,8 @@
 namespace armtune::internal {
 
 /// Returns the start gains. start, goal (n) [rad, m]: the joint positions between which the state
-/// leaveSingularity moves the arm; goal lies on the task. manipulability: the smallest one on the task.
+/// leaveSingularity moves the arm; goal lies on the task. manipulability: smallest manipulability on the
+/// task.
 ///
 /// Kd of a joint is 25 /s times the inertia that it moves while the other joints are free, 1 / (M^-1)_ii.
 /// M^-1 Kd then has no eigenvalue above 25 n /s, which is possible with control periods of a few

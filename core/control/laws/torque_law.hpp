@@ -1,7 +1,8 @@
 #pragma once
-// A torque law: the part of a controller that turns the measured arm and the references into joint torques.
-// All controllers share the rest: the states, the references, pointing at a target (gaze), returns to the
-// path, obstacle avoidance, the velocity governor and the limits (core/control/control_logic.hpp).
+// A torque law is the part of a controller that computes joint torques from the measured arm and the
+// references. All controllers share the rest: the states, the references, pointing at a target (gaze),
+// returns to the path, obstacle avoidance, the velocity governor and the limits
+// (core/control/control_logic.hpp).
 
 #include "core/control/control_output.hpp"
 #include "core/control/gains.hpp"
@@ -29,7 +30,7 @@ struct LawInput {
   const ControlOutput& control;  ///< state, errors, qr', qr'' and S = q' - qr' (n)
   const JointVector& Kd;         ///< of the active state (n) [N m s/rad]: joint_space_gains_d in states that
                                  ///< track joints and for laws without task_space_gains_d
-  const Scene& scene;            ///< its plan is used where a joint motion is followed
+  const Scene& scene;            ///< its plan is used in states that follow a joint motion
   double time;                   ///< [s]
 };
 

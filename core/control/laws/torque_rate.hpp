@@ -11,13 +11,14 @@ class TorqueRate {
   /// [s]. The first command is limited as if the one before had been 0.
   TorqueRate(int n, double rate, double period) : step_(rate * period), last_(JointVector::Zero(n)) {}
 
-  /// Changes the command (n) so that no entry differs by more than rate times period from the last one.
+  /// Changes the command (n) so that no entry differs from that of the last command by more than rate times
+  /// period.
   void limit(JointVector& command) {
     if (step_ > 0.0) command = last_ + (command - last_).cwiseMax(-step_).cwiseMin(step_);
     last_ = command;
   }
 
-  /// Replaces the last command (n): another controller has commanded the joints.
+  /// Sets the last command (n). Call it in periods in which the joints were commanded without this limit.
   void follow(const JointVector& command) { last_ = command; }
 
  private:

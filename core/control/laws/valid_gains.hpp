@@ -1,6 +1,6 @@
 #pragma once
-// Checks the gains of a controller: every value must be within its limits, and vectors must fit the number of
-// joints.
+// Checks the gains of a controller: every value must be within its limits, and the length of vectors must fit
+// the number of joints.
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 namespace armtune::internal {
 namespace {
 
-/// The middle of each joint's range; zero for joints without limits.
+/// Returns the middle of each joint's range; zero for joints without limits.
 JointVector middle(const RobotModel& model) {
   JointVector q = JointVector::Zero(model.n());
   for (int i = 0; i < model.n(); ++i) {

@@ -11,26 +11,27 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// The words that an option or positional takes.
+/// Returns the words to which an option or positional is completed.
 std::vector<std::string> words_of(const DeclaredOption& option) {
   if (!option.choices.empty()) return option.choices;
   const std::string kind = bundled_kind(option);
   return kind.empty() ? std::vector<std::string>() : bundled_names(kind);
 }
 
-/// A text in a shell's single quotes.
+/// Returns the text in single quotes for a shell.
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
 }
 
-/// compgen's words for one place of the command line; files where any word is taken.
+/// Returns shell assignments with the words for one place of the command line. files: true if paths are
+/// completed too.
 std::string place(const std::vector<std::string>& words, bool files) {
   return fmt::format("words={}; files={}", quoted(fmt::format("{}", fmt::join(words, " "))), files ? 1 : 0);
 }
 
-/// bash: a function whose cases are command and option; zsh runs it by its bashcompinit.
+/// Returns a bash function with a case for each command and option. zsh runs it through bashcompinit.
 std::string bash(const DeclaredProgram& program) {
   std::vector<std::string> names;
   for (const DeclaredCommand& command : program.commands) names.push_back(command.name);
@@ -90,7 +91,8 @@ const std::vector<std::string>& shell_names() {
 std::string completion(const DeclaredProgram& program, const std::string& shell) {
   if (shell == "bash") return bash(program) + "complete -o filenames -F _armtune armtune\n";
   if (shell == "zsh") {
-    // The first time the file itself is the function, and has to complete what was asked.
+    // zsh runs this file as the first call of the completion function. Its last line therefore completes the
+    // words of that call.
     return "#compdef armtune\nautoload -U +X bashcompinit && bashcompinit\n" + bash(program) +
            "complete -o filenames -F _armtune armtune\n_bash_complete -o filenames -F _armtune\n";
   }

@@ -11,9 +11,9 @@ namespace armtune::internal::cli {
 /// Returns "bash" and "zsh".
 const std::vector<std::string>& shell_names();
 
-/// Returns the completion script for a shell. It completes commands and options. For the values of options
-/// and for positional arguments, it completes the allowed words and the names of bundled files, otherwise
-/// files. Throws InputError for a shell that is not in shell_names().
+/// Returns the completion script for a shell. It completes commands and options. It also completes the values
+/// of options and positional arguments: to the allowed words if only these are valid, otherwise to bundled
+/// names and paths of files. Throws InputError for a shell that is not in shell_names().
 std::string completion(const DeclaredProgram& program, const std::string& shell);
 
 }  // namespace armtune::internal::cli

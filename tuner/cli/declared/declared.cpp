@@ -7,7 +7,8 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// "TEXT:{a,b}" and "TEXT:INT in [1 - 9]": the type, and the words between the braces.
+/// Returns an option with the type of its value and the allowed words, from CLI11's type names, such as
+/// "TEXT:{a,b}" and "TEXT:INT in [1 - 9]".
 DeclaredOption with_type(const CLI::Option& option) {
   DeclaredOption made;
   std::string type = option.get_items_expected_max() == 0 ? std::string() : option.get_type_name();
@@ -16,7 +17,7 @@ DeclaredOption with_type(const CLI::Option& option) {
     for (std::string word; std::getline(words, word, ',');) made.choices.push_back(word);
     type.resize(type.find(':'));
   }
-  // Of a checked number the check says what it is.
+  // For a number with a range, the text after the colon has the type and the range.
   if (const auto colon = type.find(':'); colon != std::string::npos) type = type.substr(colon + 1);
   made.value = type;
   return made;
@@ -31,7 +32,8 @@ DeclaredOption declared_option(const CLI::Option& option) {
     for (const std::string& name : option.get_snames()) made.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) made.names.push_back("--" + name);
   }
-  // The default of an option that can stand without a value is that of its bare name.
+  // If an option may be given without a value, CLI11's default is the value that it then has, not the value
+  // without the option.
   if (option.get_items_expected_min() > 0) made.otherwise = option.get_default_str();
   made.meaning = option.get_description();
   made.required = option.get_required();
@@ -49,7 +51,7 @@ DeclaredCommand declared_command(const CLI::App& app, const std::string& name) {
 
 DeclaredProgram declared(const CLI::App& app, const std::string& name) {
   DeclaredProgram program{declared_command(app, name), {}};
-  // Those without a footer of their own inherit the program's.
+  // Commands inherit the program's footer, which is removed from them below.
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     program.commands.push_back(declared_command(*command, command->get_name()));
   for (DeclaredCommand& command : program.commands) {

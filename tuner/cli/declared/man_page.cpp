@@ -9,8 +9,8 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// Text for groff: its backslash, its hyphens (which it would else take for dashes), and dots and quotes that
-/// begin a line.
+/// Returns the text with escapes for groff: for backslashes, for hyphens (which groff would replace by
+/// typographic ones), and for dots and quotes at the start of a line.
 std::string escaped(const std::string& text) {
   std::string out;
   bool begins = true;
@@ -28,7 +28,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// Lines as they stand: tables and examples are laid out for a terminal.
+/// Returns the text with its own line breaks, because tables and examples are laid out for a terminal.
 std::string as_it_stands(const std::string& text) {
   return fmt::format(".nf\n{}\n.fi\n", escaped(text));
 }
@@ -57,7 +57,7 @@ std::string man_page(const DeclaredProgram& program, const std::string& version)
   const std::string& name = program.app.name;
   std::string page = fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n.SH NAME\n{} \\- ", escaped(name),
                                  escaped(version), escaped(name));
-  // The description's first words are the title, the lines behind its first paragraph an example.
+  // The title is the description up to its first colon. The text after its first paragraph is an example.
   std::istringstream paragraphs(program.app.meaning);
   std::string title;
   std::getline(paragraphs, title);

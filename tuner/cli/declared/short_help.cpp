@@ -11,12 +11,12 @@
 namespace armtune::internal::cli {
 namespace {
 
-constexpr const char* kPlainHeading = "Options";  ///< CLI11's, of an option that has no other
+constexpr const char* kPlainHeading = "Options";  ///< CLI11's heading for options without another
 constexpr const char* kFurther = "Further options";
-constexpr double kAnyNumber = 1e8;  ///< limits from here on guard the program and mean nothing to its user
-constexpr std::size_t kWidth = 80;  ///< characters of a description's line, beside the option's name
+constexpr double kAnyNumber = 1e8;  ///< help does not show upper limits of this size or above
+constexpr std::size_t kWidth = 80;  ///< longest line of a description, without the option's name
 
-/// The text with line breaks in place of blanks, so that no line is longer than kWidth where words allow it.
+/// Returns the text with line breaks, so that no line is longer than kWidth unless it is a single word.
 std::string wrapped(const std::string& text) {
   std::istringstream words(text);
   std::string out;
@@ -30,7 +30,7 @@ std::string wrapped(const std::string& text) {
   return out;
 }
 
-/// The kind of an option's value and what it may be, from CLI11's type name, such as "INT:INT in [1 - 9]".
+/// The type of an option's value and its allowed values, from CLI11's type name "INT:INT in [1 - 9]".
 struct ValueType {
   std::string kind;    ///< "INT"; empty: a flag
   std::string limits;  ///< "1 to 9"; empty: none
@@ -66,12 +66,13 @@ std::string names_of(const std::set<CLI::Option*>& options) {
   return names;
 }
 
-/// What stands in brackets behind the description of an option.
+/// Returns the conditions that help shows in brackets after the description of an option.
 std::vector<std::string> conditions(const CLI::Option& option) {
   std::vector<std::string> all;
   if (option.get_required()) all.emplace_back("required");
   if (const std::string limits = value_type(option).limits; !limits.empty()) all.push_back(limits);
-  // Of an option whose value may be left out, CLI11's default is that value, not what happens without it.
+  // If an option may be given without a value, CLI11's default is the value that it then has, not the value
+  // without the option.
   const bool told =
       option.get_description().find("default:") != std::string::npos || !option.get_option_text().empty();
   if (const std::string value = option.get_default_str(); !value.empty() && !told)
@@ -108,13 +109,14 @@ class HelpFormatter final : public CLI::Formatter {
            groups_text(*app, *help, mode == CLI::AppFormatMode::All) + "\n" + make_footer(app);
   }
 
-  /// Without what CLI11 says of a flag that may be set to false: "--robust{false}".
+  /// Returns the name without the suffix that CLI11 adds to flags that set false, as in "--robust{false}".
   std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
     const std::string name = CLI::Formatter::make_option_name(option, is_positional);
     return name.substr(0, name.find('{'));
   }
 
-  /// The kind of the value alone; CLI11 puts limits, default and other options between name and description.
+  /// Returns only the type of the value. CLI11 would also put limits, default and other options between name
+  /// and description.
   std::string make_option_opts(const CLI::Option* option) const override {
     if (!option->get_option_text().empty()) return " " + option->get_option_text();
     const std::string kind = value_type(*option).kind;
@@ -154,7 +156,7 @@ class HelpFormatter final : public CLI::Formatter {
     return text;
   }
 
-  /// Those of the short help in its order, then every other.
+  /// Returns the headings: first those of the short help, in its order, then all others.
   static std::vector<std::string> headings(const CLI::App& app, const ShortHelp& help) {
     std::vector<std::string> headings = {kPlainHeading};
     const auto add = [&headings](const std::string& heading) {

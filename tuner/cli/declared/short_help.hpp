@@ -15,7 +15,7 @@ namespace armtune::internal::cli {
 
 struct OptionGroup {
   std::string heading;
-  std::vector<std::string> options;  ///< "--out"
+  std::vector<std::string> options;  ///< such as "--out"
 };
 
 /// The options that --help of one command shows. A command without an entry shows all of its options.

@@ -8,8 +8,8 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kTrajectoryPeriod = 0.002;  ///< of trajectory.csv [s]
-constexpr long kShownEvery = 200;            ///< evaluations
+constexpr double kTrajectoryPeriod = 0.002;  ///< time between rows of trajectory.csv [s]
+constexpr long kShownEvery = 200;            ///< evaluations between two progress reports
 
 }  // namespace
 

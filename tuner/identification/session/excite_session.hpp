@@ -1,7 +1,7 @@
 #pragma once
-// Does the work of `armtune excite`: designs a trajectory from whose log an arm's parameters can be
-// identified, or reads a given trajectory from a file. Then simulates an arm that follows the trajectory, and
-// writes the logs that its sensors would record.
+// Does the work of `armtune excite`. It designs a trajectory from whose log an arm's parameters can be
+// identified, or reads a given trajectory from a file. It then simulates an arm that follows the trajectory,
+// and writes the logs that the arm's sensors would record.
 
 #include <memory>
 #include <optional>
@@ -18,9 +18,9 @@ namespace armtune::internal {
 struct ExciteSettings {
   std::string folder;  ///< not empty
   std::shared_ptr<const RobotModel> model;
-  std::vector<Scenario> scenarios;  ///< one log is simulated in each; their arms have the model's joints
+  std::vector<Scenario> scenarios;  ///< one log is simulated in each; the arms have the model's joints
   std::string trajectory;           ///< file with a given trajectory; empty: one is designed
-  ExcitationOptions design;         ///< except its progress, which the session sets
+  ExcitationOptions design;         ///< options of the design; the session sets their `progress`
   ExcitationLogOptions log;
 };
 
@@ -35,9 +35,9 @@ struct ExciteOutcome {
 /// Receives the progress of an ExciteSession.
 class ExciteObserver : public SessionObserver {
  public:
-  /// Called when the trajectory is written.
+  /// Called when the trajectory has been written.
   virtual void designed(const ExciteOutcome& /*so_far*/) {}
-  /// Called when a log of the trajectory is written.
+  /// Called when a log of the trajectory has been written.
   virtual void logged(const Scenario& /*scenario*/, const ExcitationLog& /*log*/) {}
 };
 
@@ -53,7 +53,7 @@ class ExciteSession {
  private:
   void find_trajectory();
   void write_trajectory();
-  /// Returns false if it was interrupted.
+  /// Returns false if the simulation was interrupted.
   bool write_log(const Scenario& scenario);
 
   ExciteSettings settings_;

@@ -16,16 +16,16 @@
 namespace armtune::internal {
 namespace {
 
-constexpr long kShownEvery = 20000;  ///< samples
+constexpr long kShownEvery = 20000;  ///< samples between two progress reports
 
-/// Why the logs may not be of this arm: the likely mistake alone, as everything else follows from it, or what
-/// is odd about the result.
+/// Returns the reasons why the logs may not be of this arm. If there is a likely mistake, it is returned
+/// alone, because everything else follows from it. Otherwise these are the doubts about the result.
 std::vector<std::string> find_doubts(const RobotModel& model, const Identification& found) {
   if (found.comparison.mistake) return {to_text(*found.comparison.mistake, model)};
   return theta_doubts(model, found);
 }
 
-/// The folder is made before the logs, which can take minutes, are read.
+/// Removes the folder if it is empty. It is made before the logs are read, because reading can take minutes.
 void remove_if_empty(const std::string& folder) {
   std::error_code ignored;
   if (!folder.empty()) std::filesystem::remove(folder, ignored);

@@ -1,7 +1,7 @@
 #pragma once
-// Does the work of `armtune identify`: estimates theta, an arm's inertial and friction parameters, from logs
-// of its motion. Also looks for signs that the logs are of another arm. If a folder is given, writes the
-// results there.
+// Does the work of `armtune identify`. It estimates theta, an arm's inertial and friction parameters, from
+// logs of the arm's motion. It also looks for signs that the logs are of another arm. If a folder is given,
+// it writes the results there.
 
 #include <memory>
 #include <string>
@@ -20,7 +20,7 @@ struct IdentifySettings {
   LogColumns columns;
   std::string columns_path;      ///< file that the columns were read from; empty: none
   bool accept = false;           ///< true: write the result although the logs do not fit the model
-  IdentifyOptions options = {};  ///< except its progress, which the session sets
+  IdentifyOptions options = {};  ///< the session sets their `progress`
 };
 
 struct IdentifyOutcome {

@@ -7,15 +7,15 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kActive = 1e-5;         // relative distance from a bound that counts as none
-constexpr double kLeastStrength = 1e-4;  // of the strongest limit's
+constexpr double kActive = 1e-5;         // relative distance from a bound up to which the bound is active
+constexpr double kLeastStrength = 1e-4;  // relative to the strongest limit
 
-/// Every knot at which a limit is active, and at which of its bounds.
+/// The knots at which a limit is active. `upper` tells for each knot whether this is the upper bound.
 struct Activity {
   std::map<int, bool> upper;
   double strength = 0.0;
-  double beyond = -INFINITY;  ///< relative to the limit
-  Eigen::Index worst = 0;     ///< its row
+  double beyond = -INFINITY;  ///< largest excess, relative to the limit
+  Eigen::Index worst = 0;     ///< row with the largest excess
 };
 
 std::vector<Stretch> stretches_of(const Activity& activity, const std::vector<double>& time) {
@@ -47,7 +47,7 @@ std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned) {
     const double bound = upper ? program.bounds.upper[i] : program.bounds.lower[i];
     if (!(std::abs(row[i] - bound) <= kActive * std::max(1.0, std::abs(bound))) && !above && !below) continue;
     const RowMeaning meaning = program.meaning(i);
-    if (meaning.part.empty()) continue;  // how short a phase may be is no limit of the arm
+    if (meaning.part.empty()) continue;  // the bounds of a phase's duration are not limits of the arm
     // A velocity limit has two rows at a knot; they count once.
     Activity& activity = found[{meaning.limit, meaning.part}];
     activity.upper.insert_or_assign(meaning.knot, upper);

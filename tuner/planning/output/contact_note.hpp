@@ -1,5 +1,6 @@
 #pragma once
-// States in words what a planned motion keeps its distance from, for whoever sends it to a robot.
+// Writes a note for the person who sends a planned motion to a robot. It says which obstacles and bodies the
+// motion keeps away from.
 
 #include <string>
 
@@ -7,7 +8,8 @@
 
 namespace armtune::internal {
 
-/// Returns one or more sentences: what the motion keeps away from at its knots, and what was not checked.
+/// Returns one or more sentences. They say what the motion keeps away from at its knots (points of the time
+/// grid), and what was not checked.
 std::string contact_note(const PlanTask& task);
 
 }  // namespace armtune::internal

@@ -10,32 +10,33 @@
 namespace armtune::internal {
 namespace {
 
-constexpr int kParts = 10;  // an interval is looked at in so many
+constexpr int kParts = 10;  // every interval is divided into this many parts
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A limit with what is measured against it.
+/// A limit, and the function that returns the value to which it applies.
 struct Measured {
   LimitUse use;
-  Eigen::Index first = 0;  ///< knots between which it holds
+  Eigen::Index first = 0;  ///< first and last knot at which the limit applies
   Eigen::Index last = 0;
   std::function<double(const PlanSample&)> value;  ///< in the limit's unit
 };
 
-/// Share of the room between the middle and a bound that is used; of a single bound the share of itself.
+/// Returns the share of a limit that is used: 1 at the limit. With two bounds, it is counted from the middle
+/// between them.
 double used(const LimitUse& limit, double value) {
   if (!std::isfinite(limit.lower)) return value / limit.upper;
-  // A distance that is asked for, and its opposite, which is no part of it.
+  // A required distance has only a lower bound, and its share is lower / value. At contact it is infinite.
   if (!std::isfinite(limit.upper)) return value > 0.0 || limit.lower <= 0.0 ? limit.lower / value : kInfinity;
   const double middle = 0.5 * (limit.lower + limit.upper);
   return std::abs(value - middle) / (0.5 * (limit.upper - limit.lower));
 }
 
-/// The rows of a term between its knots.
+/// Computes the rows of a term at any time, also between knots.
 class TermValues {
  public:
   explicit TermValues(const KnotTerm& term) : term_(term), values_(term.rows.size()) {}
 
-  /// The row's value as users know it. It does not depend on velocities and accelerations.
+  /// Returns the row's value in the user's unit. The rows must not depend on velocities or accelerations.
   double at(const PlanSample& sample, std::size_t row) {
     if (sample.time != time_) {
       time_ = sample.time;
@@ -108,7 +109,7 @@ class Limits {
     }
   }
 
-  /// Of the program's terms the names and the knots; the values are computed anew.
+  /// Adds the limits of a term. Names and knots are the term's. The values are computed from samples.
   void add_term(const KnotTerm& term) {
     const auto values = std::make_shared<TermValues>(term);
     for (std::size_t row = 0; row < term.rows.size(); ++row) {

@@ -1,7 +1,7 @@
 #pragma once
-// Measures how much of each limit a planned motion uses, at its knots and between them. The planner enforces
-// the limits of torque, tool path, gaze and distances at the knots only. Therefore the motion may exceed them
-// between knots, and this must be measured.
+// Measures how much of each limit a planned motion uses, at its knots (points of the time grid) and between
+// them. The planner enforces the limits of torque, tool path, gaze and distances at the knots only. The
+// motion may exceed these limits between knots, so this must be measured.
 
 #include <limits>
 
@@ -20,16 +20,15 @@ struct LimitUse {
   double upper = std::numeric_limits<double>::infinity();
   double from = 0.0;  ///< start and end of the time in which the limit applies [s]
   double to = 0.0;
-  double at_knots = 0.0;      ///< largest share of the limit that is used at a knot: 1 at the limit
-  double between = 0.0;       ///< largest share that is used between knots
-  double between_time = 0.0;  ///< time of this largest share between knots [s]
-  double share = 0.0;         ///< share of the knots at which the limit holds the motion back
-  double strength = 0.0;      ///< as in BindingLimit; 0 if the limit does not hold the motion back
-  std::vector<Stretch> stretches;
+  double at_knots = 0.0;           ///< largest share of the limit that is used at a knot: 1 at the limit
+  double between = 0.0;            ///< largest share that is used between knots
+  double between_time = 0.0;       ///< time of this largest share between knots [s]
+  double share = 0.0;              ///< share of the knots at which the limit is active
+  double strength = 0.0;           ///< as in BindingLimit; 0 if binding_limits() does not return this limit
+  std::vector<Stretch> stretches;  ///< periods in which the limit is active
 };
 
-/// Returns the use of every limit of the task. Limits that hold the plan back come first, the strongest at
-/// the top.
+/// Returns the use of every limit of the task. Active limits come first, the strongest at the top.
 std::vector<LimitUse> limit_uses(const PlanTask& task, const PlanProblem& problem,
                                  const PlannedTrajectory& planned);
 

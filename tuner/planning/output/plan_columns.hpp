@@ -14,12 +14,12 @@ struct PlanColumn {
   std::function<double(const PlanSample&)> value;
 };
 
-/// Returns the columns of trajectory.csv, which has one row per knot. The motion between the knots follows
-/// exactly from these rows.
+/// Returns the columns of trajectory.csv, which has one row per knot (point of the time grid). The motion
+/// between the knots follows exactly from these rows.
 std::vector<PlanColumn> trajectory_columns(const PlanTask& task, const RobotModel& robot);
 
-/// Returns the columns of motion.csv, whose rows are evenly spaced in time, for plots. A column that the CSV
-/// file of a rollout also has bears the same name there.
+/// Returns the columns of motion.csv, whose rows are evenly spaced in time, for plots. Columns that also
+/// exist in the CSV file of a rollout (a simulation) have the same names as there.
 std::vector<PlanColumn> motion_columns(const PlanTask& task, const RobotModel& robot);
 
 /// Returns the columns without their values, as columns.csv needs them.

@@ -17,14 +17,15 @@ void add_row(const std::vector<PlanColumn>& columns, const PlanSample& at, std::
   text += '\n';
 }
 
-/// In quotes: names may hold commas. Behind an apostrophe where a spreadsheet would take it for a formula.
+/// Returns the text in quotes, because names may contain commas. If a spreadsheet would take the text for a
+/// formula, the cell begins with an apostrophe.
 std::string text_cell(const std::string& text) {
   std::string out = is_formula(text) ? "\"'" : "\"";
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + "\"";
 }
 
-/// "8.01:8.05 8.2:8.21", of one bound.
+/// Returns the periods in which one bound is active, such as "8.01:8.05 8.2:8.21" [s].
 std::string stretches(const LimitUse& use, bool upper) {
   std::string text;
   for (const Stretch& stretch : use.stretches) {
@@ -64,7 +65,7 @@ std::string limits_csv(const std::vector<LimitUse>& uses) {
     text += text_cell(use.limit) + "," + text_cell(use.part) + "," + text_cell(use.unit) + "," +
             cell(use.lower) + "," + cell(use.upper) + "," + cell(use.from) + "," + cell(use.to) + "," +
             cell(use.at_knots) + "," +
-            // A limit at one knot alone has nothing between knots.
+            // A limit that applies at a single knot has no value between knots.
             (use.from < use.to ? cell(use.between) : "") + "," + cell(use.share) + "," + cell(use.strength) +
             "," + stretches(use, false) + "," + stretches(use, true) + "\n";
   }

@@ -9,8 +9,8 @@
 
 namespace armtune::internal {
 
-/// Returns the text of trajectory.csv: one row per knot. Velocities and torques are also given as shares of
-/// the robot's limits.
+/// Returns the text of trajectory.csv: one row per knot (point of the time grid). Velocities and torques are
+/// also given as shares of the robot's limits.
 std::string trajectory_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory);
 
 /// Returns the text of motion.csv: the same motion at `rows` (>= 2) evenly spaced times from its start to its
@@ -20,6 +20,7 @@ std::string motion_csv(const PlanTask& task, const PlanProblem& problem, const T
 
 /// Returns the text of limits.csv, which has one row per limit.
 std::string limits_csv(const std::vector<LimitUse>& uses);
+/// Returns name, unit and meaning of every column of limits.csv.
 std::vector<Column> limits_columns();
 
 }  // namespace armtune::internal

@@ -62,7 +62,7 @@ void PlanSampler::set(double time, const Eigen::VectorXd& position, const Eigen:
   }
   forward_kinematics(robot.chain, to.q, to.poses);
   inverse_dynamics(robot.chain, to.poses, to.qd, to.qdd, to.tau);
-  // Along a curve the path's own time is the coordinate.
+  // For kFastest, the path coordinate takes the place of the time.
   to.desired = task_.scenario.path.at(task_.kind == PlanKind::kFastest ? task_.at + to.s : time).position;
   to.target = problem_.gaze_target(time).position;
   to.gaze = gaze_angle(to.poses.R_0T, to.poses.p_0T, to.target);

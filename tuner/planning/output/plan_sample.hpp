@@ -1,6 +1,7 @@
 #pragma once
 // Evaluates a planned motion at one time: the arm's joints and torques, its tool, its gaze and its distances
-// from obstacles. The time need not be a knot: between knots the motion is an exact cubic.
+// from obstacles. The time need not be a knot (point of the time grid), because the motion between knots is
+// an exact cubic.
 
 #include <optional>
 
@@ -9,7 +10,7 @@
 
 namespace armtune::internal {
 
-/// The demands of a task on the tool, besides the joints' limits.
+/// The requirements of a task for the tool, besides the joints' limits.
 struct ToolDemands {
   bool path = false;  ///< true if the tool must be on a path
   bool gaze = false;  ///< true if its z axis must point at a target
@@ -18,7 +19,7 @@ ToolDemands tool_demands(const PlanTask& task);
 
 struct PlanSample {
   double time = 0.0;                    ///< time of the scenario [s]
-  JointVector q, qd, qdd, jerk;         ///< (n) [rad, m and per s, s^2, s^3]; jerk: that of its interval
+  JointVector q, qd, qdd, jerk;         ///< (n) [rad, m and per s, s^2, s^3]; jerk: constant in its interval
   JointVector tau;                      ///< (n) by inverse dynamics [N m, N]
   double s = 0.0, sd = 0.0, sdd = 0.0;  ///< path coordinate (time on the path), if the task has one [s]
   Poses poses;                          ///< at q
@@ -26,7 +27,7 @@ struct PlanSample {
   Vec3 target = Vec3::Zero();           ///< position of the gaze target [m]
   double gaze = 0.0;                    ///< angle between tool z and the line to that target [rad]
   double clearance = INFINITY;  ///< least distance of tool and movable joint origins from obstacles [m]
-  LeastClearances cell;         ///< distances of links from each other and the cell, if the task keeps any
+  LeastClearances cell;         ///< distances of links from each other and the cell, if the task limits any
 };
 
 /// Computes samples of a plan. Each call overwrites the sample that the previous call returned.
@@ -38,9 +39,9 @@ class PlanSampler {
   /// Returns the sample at knot k, as the trajectory stores it. Its jerk is that of the interval after the
   /// knot; at the last knot it is that of the interval before.
   const PlanSample& at_knot(Eigen::Index k);
-  /// Returns the sample within interval k, at `part` (0 .. 1) of it.
+  /// Returns the sample in interval k at the fraction `part` (0 .. 1) of its duration.
   const PlanSample& within(Eigen::Index k, double part);
-  /// Returns the sample at t [s]. A time outside the trajectory counts as its nearer end.
+  /// Returns the sample at t [s]. A time outside the trajectory is replaced by the nearer end.
   const PlanSample& at(double t);
 
  private:

@@ -10,9 +10,9 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kAtRest = 1e-6;  // of a joint's velocity limit
+constexpr double kAtRest = 1e-6;  // largest velocity at rest, relative to the joint's limit
 
-/// "1.0e-05": to YAML 1.1 a number without a point is text ("1e-05") or an integer ("0").
+/// Returns a number with a point, such as "1.0e-05". YAML 1.1 reads "1e-05" as text and "0" as an integer.
 std::string number(double value) {
   std::string text = fmt::format("{}", value);
   if (text.find('.') == std::string::npos) text.insert(std::min(text.find('e'), text.size()), ".0");
@@ -25,7 +25,8 @@ std::string list(const Eigen::MatrixXd& values, Eigen::Index n, Eigen::Index col
   return text + "]";
 }
 
-/// The joint that is fastest at the end, over its limit, with its velocity; empty where all rest.
+/// Returns a warning if the motion does not end at rest, else an empty text. It names the joint that moves
+/// fastest at the end, relative to its velocity limit.
 std::string end_velocity(const RobotModel& robot, const Trajectory& trajectory) {
   const Eigen::Index last = trajectory.velocity.cols() - 1;
   Eigen::Index fastest = 0;

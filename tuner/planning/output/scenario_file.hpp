@@ -1,6 +1,6 @@
 #pragma once
-// Makes a scenario file in which the controller follows a planned trajectory. `armtune simulate` can then
-// simulate the plan in closed loop.
+// Makes a scenario file in which the controller follows a planned trajectory. `armtune simulate` can use this
+// file to simulate the plan in closed loop.
 
 #include <string>
 
@@ -13,8 +13,8 @@ namespace armtune::internal {
 std::string planned_scenario_name(const PlanTask& task);
 
 /// Returns the text of the scenario file. The scenario is based on the task's own scenario. The controller
-/// follows trajectory.csv, which is in the same folder, until that ends. It starts from the parameters of the
-/// arm's model.
+/// follows trajectory.csv, which is in the same folder, to its end. The controller's dynamic parameters start
+/// at the values of the arm's model.
 std::string planned_scenario_yaml(const PlanTask& task);
 
 }  // namespace armtune::internal

@@ -12,11 +12,12 @@ namespace armtune::internal {
 struct WorstViolation {
   RowMeaning meaning;
   double time = 0.0;       ///< [s]
-  double violation = 0.0;  ///< relative to the limit; for an equation in its own unit
+  double violation = 0.0;  ///< relative to the limit; for an equation in the equation's unit
   double value = 0.0;      ///< value and bound are in the unit of `meaning`
   double bound = 0.0;
   bool equation = false;
 };
+/// Returns the largest violation of a plan that was not solved.
 WorstViolation worst_violation(const PlannedTrajectory& planned);
 
 /// Returns a sentence such as "torque of wrist_2_joint would be 31.2 N m at 0.31 s; its limit is 28 N m".

@@ -1,6 +1,7 @@
 #pragma once
 // Does the work of `armtune plan`: plans a trajectory for a task, and measures how much of each limit the
-// trajectory uses. If an output folder is given, writes all files there. Without a solution, writes nothing.
+// trajectory uses. If an output folder is given, all files are written there. Without a solution, nothing is
+// written.
 
 #include <optional>
 #include <string>
@@ -22,7 +23,7 @@ struct PlanSettings {
 
 struct PlanOutcome {
   std::optional<PlanProblem> problem;
-  PlannedTrajectory planned;       ///< there is a solution if its result's status is kSolved
+  PlannedTrajectory planned;       ///< a solution only if planned.result.status is kSolved
   std::vector<LimitUse> uses;      ///< empty without a solution
   std::vector<std::string> files;  ///< names of the files in the folder
   double seconds = 0.0;            ///< time that solving took
@@ -33,8 +34,8 @@ class PlanSession {
   /// The observer must outlive the session.
   PlanSession(PlanSettings settings, SessionContext context, SessionObserver& observer);
 
-  /// Runs the session; may be called once. Throws InputError if the folder is used already or the task cannot
-  /// be started; FailedError if a file cannot be written.
+  /// Runs the session. May be called only once. Throws InputError if the folder exists and is not empty, or
+  /// if plan_problem() refuses the task. Throws FailedError if a file cannot be written.
   PlanOutcome run();
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
-// A sparse Jacobian, stored as small dense blocks of rows. A trajectory optimisation adds one block for each
-// knot, or for each interval between two knots. The sparsity pattern is set up once; afterwards only the
-// values change.
+// Stores a sparse Jacobian as small dense blocks of rows. A trajectory optimisation adds one block for each
+// knot (point of the time grid), or for each interval between two knots. The sparsity pattern is set up once.
+// Afterwards only the values change.
 
 #include <Eigen/Core>
 #include <vector>
@@ -14,7 +14,7 @@ struct RowBlock {
   int rows = 0;
   int first_column = 0;  ///< index into BlockRows::columns
   int columns = 0;
-  int first_value = 0;    ///< in BlockRows::values: rows x columns, row by row; if diagonal, one per row
+  int first_value = 0;    ///< index of the block's values: rows x columns, row by row; diagonal: one per row
   bool diagonal = false;  ///< true if row i depends on column i only
 };
 
@@ -22,7 +22,7 @@ class BlockRows {
  public:
   /// Adds rows that depend on `columns` (strictly ascending). Returns the block's index.
   int add(int rows, const std::vector<int>& columns);
-  /// Adds one row for each of `columns`, which depends on that column only. Returns the block's index.
+  /// Adds one row for each of `columns`; each row depends on its column only. Returns the block's index.
   int add_diagonal(const std::vector<int>& columns);
 
   int rows() const { return rows_; }

@@ -7,11 +7,11 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kPrimalProximal = 1e-8;  // beside the program's own curvature, and so the same on every grid
-constexpr double kDualProximal = 1e-6;    // beside rows of size 1: less rounds, more takes more corrections
-constexpr double kMoreProximal = 100.0;   // where rounding leaves no positive definite matrix,
-constexpr int kMoreOften = 2;             // and how often
-constexpr int kCorrections = 20;          // of what the dual proximal part moves the rows by
+constexpr double kPrimalProximal = 1e-8;  // relative to the program's curvature, thus the same on every grid
+constexpr double kDualProximal = 1e-6;    // for rows of size 1; less: rounding errors; more: more corrections
+constexpr double kMoreProximal = 100.0;   // factor on delta if K is not positive definite,
+constexpr int kMoreOften = 2;             // applied at most this often
+constexpr int kCorrections = 20;          // most steps that correct the error of the dual proximal part
 
 bool small(const VectorXd& left, double within) {
   return left.lpNorm<Eigen::Infinity>() <= within;

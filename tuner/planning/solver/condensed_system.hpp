@@ -1,18 +1,20 @@
 #pragma once
-// Solves the linear system of an interior point step, after the complementarity conditions have been
-// eliminated:
+// Solves the linear system of an interior point step (interior_point.hpp), after the complementarity
+// conditions have been eliminated:
 //
 //   [H + delta I   G^T  ] [x]   [rd]
 //   [G            -yield] [y] = [e ]
 //
+//   x, y: the changes of the variables and of the multipliers of the rows
 //   H = R^T R + C + diag(damping): the Hessian of the step, where R^T R is its Gauss-Newton part and C its
 //       curvature (normal_matrix.hpp)
-//   yield >= 0 (one per row): the amount by which a row gives way per unit of its multiplier
+//   G: the Jacobian of the rows
+//   yield >= 0 (one per row): the compliance of a row, that is, how far G x deviates from e per unit of y
 //   delta: a small constant, the primal proximal part
 //   rd, e: the residuals of the step
 //
-// Some rows have yield 0. Therefore a second small constant, the dual proximal part, is added to yield:
-// 1/D = yield + constant. The system then reduces to one with the positive definite matrix
+// Rows with yield 0 cannot be eliminated. Therefore a second small constant, the dual proximal part, is added
+// to yield: 1/D = yield + constant. The system then reduces to one with the positive definite matrix
 // K = H + delta I + G^T D G (Friedlander and Orban, Math. Prog. Comp. 4, 2012). Conjugate gradients
 // afterwards remove the error that the second constant causes.
 
@@ -35,17 +37,18 @@ struct LinearAccuracy {
 /// A system that is factorised once per step, then solved for any number of right-hand sides.
 class CondensedSystem {
  public:
-  /// All three arguments must outlive the system. normal: has the pattern of the program's R and G, in this
-  /// order; cholesky: has analysed the pattern of `normal`.
+  /// All three arguments must outlive the system. normal: was made for the program's R and G, in this order;
+  /// cholesky: has analysed the pattern of `normal`.
   CondensedSystem(const QuadraticProgram& program, NormalMatrix& normal, SparseCholesky& cholesky);
 
-  /// Factorises the system. False if K is not positive definite even with the largest delta. yield (rows,
-  /// >= 0): must live until the next call, since every solve reads it again.
+  /// Factorises the system. Returns false if K is not positive definite even with the largest delta. yield
+  /// (rows, >= 0): must live until the next call, since every solve reads it again.
   bool factorize(const Eigen::VectorXd& yield);
   /// Returns the primal proximal part of the last factorisation.
   double delta() const { return delta_; }
 
-  /// Solves for (rd, e). Stops before the accuracy is reached if the conjugate gradients no longer help.
+  /// Solves the system for the right-hand sides (rd, e). The accuracy may be missed, because the number of
+  /// conjugate gradient steps is limited.
   void solve(const Eigen::VectorXd& rd, const Eigen::VectorXd& e, const LinearAccuracy& accuracy,
              LinearUnknowns& found);
   /// Solves the system with 1/D in place of yield, by one solve with K. found.x: rd on entry, x on return.
@@ -72,7 +75,7 @@ class CondensedSystem {
   double delta_ = 0.0;
   const Eigen::VectorXd* yield_ = nullptr;
   Eigen::VectorXd D_;
-  Eigen::VectorXd ones_;  ///< empty: stands for ones
+  Eigen::VectorXd ones_;  ///< empty vector, which NormalMatrix::assemble() takes for ones
   LinearUnknowns step_, gap_, image_;
   Eigen::VectorXd r1_, r2_, De_, Gx_, Rx_, Hx_, minus_y_, moved_;
 };

@@ -1,7 +1,7 @@
 #pragma once
-// A sparse symmetric matrix, stored as a sum of small dense symmetric blocks. It holds the second derivatives
-// of the costs and constraints of a trajectory. Each block belongs to one knot, or to one interval between
-// two knots.
+// Stores a sparse symmetric matrix as a sum of small dense symmetric blocks. The matrix contains the second
+// derivatives of the costs and constraints of a trajectory. Each block belongs to one knot (point of the time
+// grid), or to one interval between two knots.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -19,7 +19,7 @@ class CurvatureBlocks {
   using Values = Eigen::Map<Eigen::MatrixXd>;
   using ConstValues = Eigen::Map<const Eigen::MatrixXd>;
 
-  /// Adds a block over `columns` (strictly ascending). Returns its index.
+  /// Adds a block with these rows and columns (strictly ascending). Returns its index.
   int add(const std::vector<int>& columns);
 
   const std::vector<Block>& blocks() const { return blocks_; }

@@ -8,11 +8,11 @@
 namespace armtune::internal {
 namespace {
 
-// Where rounding lets it come no nearer, a solution that is near enough will do.
+// If rounding errors prevent further progress, a solution close to the tolerances is accepted.
 constexpr double kProgress = 0.9;
 constexpr int kPatience = 8;
 constexpr int kPatienceFarAway = 25;
-constexpr double kNearEnough = 30.0;  // x the tolerances
+constexpr double kNearEnough = 30.0;  // times the tolerances
 
 }  // namespace
 
@@ -29,7 +29,7 @@ InteriorPointResult InteriorPoint::solve(const QuadraticProgram& program, const 
   int best_iteration = 0;
   for (;; ++result.iterations) {
     iteration.measure(result);
-    // Large multipliers round.
+    // Large multipliers cause large rounding errors.
     const double rounding = std::max(1.0, 1e-2 * iteration.at().y.lpNorm<Eigen::Infinity>());
     const double worst = std::max({result.stationarity / (rounding * options.stationarity),
                                    result.infeasibility / options.infeasibility,

@@ -1,10 +1,10 @@
 #pragma once
-// A primal-dual interior point method for quadratic programs, which are the subproblems of a trajectory
-// optimisation. It uses Mehrotra's predictor and corrector (SIAM J. Optim. 2, 1992). Elastic rows may be
-// violated at an l1 penalty. Equations that must hold are treated by the proximal method of multipliers
-// (Friedlander and Orban, Math. Prog. Comp. 4, 2012). Each step thereby reduces to one linear system with the
-// positive definite matrix K = H + G^T D G. H is the Hessian, G has the constraint rows, and D is a diagonal
-// matrix (condensed_system.hpp).
+// Solves quadratic programs, which are the subproblems of a trajectory optimisation, by a primal-dual
+// interior point method. The method uses Mehrotra's predictor and corrector (SIAM J. Optim. 2, 1992). Some
+// constraint rows are elastic: they may be violated at an l1 penalty. Hard equations are treated by the
+// proximal method of multipliers (Friedlander and Orban, Math. Prog. Comp. 4, 2012). Each step thereby
+// reduces to one linear system with the positive definite matrix K = H + G^T D G. H is the Hessian, G has the
+// constraint rows, and D is a diagonal matrix (condensed_system.hpp).
 
 #include <functional>
 #include <memory>
@@ -21,7 +21,7 @@ struct InteriorPointOptions {
   double infeasibility = 1e-9;    ///< tolerance of the largest residual of a row
   double complementarity = 1e-7;  ///< tolerance of the sum of slack x multiplier over all bounds
   double start_mu = 1.0;          ///< initial slack x multiplier of every bound; small for a warm start
-  std::function<bool()> go_on;    ///< called before each iteration; false interrupts
+  std::function<bool()> go_on;    ///< called before each iteration; returns false to interrupt
 };
 
 struct InteriorPointResult {
@@ -29,7 +29,7 @@ struct InteriorPointResult {
   bool interrupted = false;
   int iterations = 0;
   double stationarity = 0.0;     ///< sum of |H x + g + G^T y|
-  double infeasibility = 0.0;    ///< largest residual of a row, without its elastic violation
+  double infeasibility = 0.0;    ///< largest residual of a row after its elastic violation is subtracted
   double complementarity = 0.0;  ///< sum of slack x multiplier over all bounds
 };
 
@@ -37,7 +37,8 @@ struct InteriorPointResult {
 /// the memory from one program to the next.
 class InteriorPoint {
  public:
-  /// Residuals, curvature and rows must outlive the solver; their patterns must not change any more.
+  /// Residuals, curvature and rows must outlive the solver. Their sparsity patterns must not change
+  /// afterwards.
   InteriorPoint(int variables, const BlockRows& residuals, const CurvatureBlocks& curvature,
                 const BlockRows& rows);
 

@@ -9,10 +9,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kLinearAccuracy = 0.3;     // of a direction, beside the residuals it removes
+constexpr double kLinearAccuracy = 0.3;     // error of a direction, relative to the residuals that it removes
 constexpr double kStepBack = 0.995;         // fraction to the boundary
-constexpr double kElasticCentering = 0.05;  // of the other pairs': what gives way should not, in the end
-constexpr double kLeastCentering = 0.9;     // of the tolerance
+constexpr double kElasticCentering = 0.05;  // relative to the other pairs' target, so that violations vanish
+constexpr double kLeastCentering = 0.9;     // least target, relative to the tolerance
 
 }  // namespace
 

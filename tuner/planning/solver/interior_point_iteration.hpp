@@ -1,6 +1,6 @@
 #pragma once
-// The iteration of the interior point method on one quadratic program. It holds the current point and its
-// residuals, and computes the next step. InteriorPoint takes such steps until they converge.
+// Iterates the interior point method on one quadratic program. InteriorPointIteration stores the current
+// point and its residuals, and computes the next step. InteriorPoint takes such steps until they converge.
 
 #include <cmath>
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace armtune::internal {
 
-/// The unknowns, or a direction in their space. x has the variables of the program, and w the values of its
-/// rows, which lie between their bounds. y has the multipliers of the equations G x - w - over + under = 0.
+/// The unknowns, or a direction in their space. x are the variables of the program, and w the values of its
+/// rows, which lie between their bounds. y are the multipliers of the equations G x - w - over + under = 0.
 struct InteriorUnknowns : LinearUnknowns {
-  Eigen::VectorXd w;             ///< value of each row, strictly between its bounds; the bound if an equation
+  Eigen::VectorXd w;             ///< value of each row, strictly between its bounds; the bound of an equation
   Eigen::VectorXd upper, lower;  ///< multipliers of w's bounds, 0 where there is no bound
-  Eigen::VectorXd over, under;   ///< elastic violations up and down; multipliers: penalty - y, penalty + y
+  Eigen::VectorXd over, under;   ///< violations of upper, lower bound; multipliers: penalty - y, penalty + y
 
   void set_zero(Eigen::Index variables, Eigen::Index rows) {
     x.setZero(variables);
@@ -33,7 +33,7 @@ struct InteriorUnknowns : LinearUnknowns {
 };
 
 /// The right-hand sides of the complementarity conditions: for each pair of slack and multiplier, the wanted
-/// product minus the present product.
+/// product minus the present product, with the second order correction if there is one.
 struct InteriorPairs {
   Eigen::VectorXd upper, lower, over, under;
 };
@@ -43,12 +43,13 @@ struct InteriorPairs {
 class InteriorPointIteration {
  public:
   InteriorPointIteration(const QuadraticProgram& program, NormalMatrix& normal, SparseCholesky& cholesky);
-  /// Sets the starting point. Where the multipliers show an active bound, w starts beside that bound and y is
-  /// kept.
+  /// Sets the starting point. If a row's multiplier y shows that a bound is active, w starts close to that
+  /// bound, and y is kept. mu: product of slack and multiplier to start with.
   void start(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double mu);
+  /// Computes the residuals at the present point, and writes their sizes into `result`.
   void measure(InteriorPointResult& result);
-  /// Takes one step: the predictor, then the corrector. False if the condensed matrix is not positive
-  /// definite.
+  /// Takes one step: the predictor, then the corrector. Returns false if the condensed matrix is not positive
+  /// definite. Requires a call of measure() at the present point.
   bool advance(const InteriorPointOptions& options);
   const InteriorUnknowns& at() const { return at_; }
 
@@ -61,24 +62,25 @@ class InteriorPointIteration {
   bool elastic(Eigen::Index i) const { return is(kElastic, i); }
   double below_upper(const InteriorUnknowns& at, Eigen::Index i) const { return bounds_.upper[i] - at.w[i]; }
   double above_lower(const InteriorUnknowns& at, Eigen::Index i) const { return at.w[i] - bounds_.lower[i]; }
+  /// Clamps the multiplier of an elastic row to 90 % of its penalty.
   void keep_within_penalty(Eigen::Index i);
   /// Moves w, the row's value, to a point between its bounds, and sets its multipliers.
   void start_range(Eigen::Index i, double mu);
   /// Returns the mean product of the pairs at the present point (d null), or after `part` of the direction d.
   double complementarity(const InteriorUnknowns* d, double part) const;
-  /// Computes `yield`, the amount by which each row gives way per unit of its multiplier, and factorises the
-  /// linear system with it. `yield` is the sum of two parts: w moves between its bounds (1/theta), and an
-  /// elastic row is violated.
+  /// Computes the compliance `yield` of each row (condensed_system.hpp), and factorises the linear system
+  /// with it. The compliance has two parts: the motion of w between its bounds (1/theta), and the violation
+  /// of an elastic row.
   bool factorize();
-  /// Sets the right-hand sides so that the product of every pair becomes `target`; for elastic violations it
-  /// becomes a fixed small part of `target`. affine: direction whose second order terms are compensated;
-  /// null: none.
+  /// Sets the right-hand sides so that the product of every pair becomes `target`. For elastic violations,
+  /// the product becomes a fixed small part of `target`. affine: direction whose second order terms are
+  /// compensated; null: none.
   void aim(double target, const InteriorUnknowns* affine);
   /// Returns the part of the right-hand side for w that does not depend on y. It consists of the stationarity
   /// residual of w and the right-hand sides of its pairs.
   double push_on_w(Eigen::Index i) const;
   /// Solves the linearised conditions for the right-hand sides that `aim` has set. exact: if false, the error
-  /// that the dual proximal part causes (condensed_system.hpp) is left in the direction.
+  /// that the dual proximal part causes (condensed_system.hpp) remains in the direction.
   void direction(InteriorUnknowns& d, bool exact);
   /// Returns the longest part of a direction, up to 1, that keeps every pair positive.
   double longest(const InteriorUnknowns& d) const;
@@ -87,7 +89,7 @@ class InteriorPointIteration {
   const BlockRows& G_;
   const RowBounds& bounds_;
   Eigen::Index rows_;
-  std::vector<unsigned> kind_;  ///< [row]: sum of its kinds
+  std::vector<unsigned> kind_;  ///< [row]: sum of the Kind values that apply
   CondensedSystem system_;
   Eigen::Index count_ = 0;  ///< number of pairs
   double mu_ = 0.0;

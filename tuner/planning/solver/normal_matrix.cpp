@@ -5,7 +5,7 @@
 namespace armtune::internal {
 namespace {
 
-/// The place of (row, column), row <= column, in a laid out matrix.
+/// Returns the index of the entry (row, column), row <= column, in the values of the matrix.
 int place_of(const SymmetricMatrix& matrix, int row, int column) {
   const auto c = static_cast<std::size_t>(column);
   const auto begin = matrix.rows.begin() + matrix.column_starts[c];
@@ -35,7 +35,7 @@ NormalMatrix::NormalMatrix(int size, const CurvatureBlocks& curvature,
     for (int j = 0; j < columns; ++j) {
       auto& rows = rows_of[static_cast<std::size_t>(column[j])];
       rows.insert(rows.end(), column, column + j);
-      // Duplicates must not pile up where thousands of blocks share a column.
+      // Remove duplicates now and then, because thousands of blocks may share a column.
       if (rows.size() > 256 && rows.size() == rows.capacity()) {
         std::sort(rows.begin(), rows.end());
         rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
@@ -53,7 +53,7 @@ NormalMatrix::NormalMatrix(int size, const CurvatureBlocks& curvature,
     rows = {};
   }
   matrix_.values.assign(matrix_.rows.size(), 0.0);
-  // The last of a column.
+  // The diagonal entry is the last one in its column.
   for (auto end = matrix_.column_starts.begin() + 1; end != matrix_.column_starts.end(); ++end)
     diagonal_places_.push_back(*end - 1);
   int widest = 0;

@@ -1,8 +1,8 @@
 #pragma once
-// The matrix K of the linear system that each interior point step solves. K is the sum of
-// three kinds of terms: a diagonal matrix; the matrix of second derivatives (curvature); and J^T D J for
-// every Jacobian J, with diagonal weights D. The sparsity pattern of K is
-// found once; each assembly then adds small dense products at known places.
+// Assembles the matrix K of the linear system that each interior point step solves. K is the sum of a
+// diagonal matrix, the matrix of second derivatives (curvature), and J^T D J for every Jacobian J, with
+// diagonal weights D. The sparsity pattern of K is found once. Each assembly then adds small dense products
+// at known places.
 
 #include "tuner/planning/solver/block_rows.hpp"
 #include "tuner/planning/solver/curvature_blocks.hpp"
@@ -12,7 +12,8 @@ namespace armtune::internal {
 
 class NormalMatrix {
  public:
-  /// Lays out K (size x size) for products of these rows. Curvature and each of the parts must outlive it.
+  /// Finds the pattern of K (size x size). parts: the Jacobians J. The curvature and each of the parts must
+  /// outlive this object.
   NormalMatrix(int size, const CurvatureBlocks& curvature, const std::vector<const BlockRows*>& parts);
 
   const SymmetricMatrix& matrix() const { return matrix_; }
@@ -29,8 +30,8 @@ class NormalMatrix {
   const CurvatureBlocks& curvature_;
   std::vector<const BlockRows*> parts_;
   SymmetricMatrix matrix_;
-  /// Places in K of the pairs of columns (j <= i, column i by column i) of every block: first the blocks of
-  /// the curvature, then those of each part in turn.
+  /// The places in K for the entries (j, i), j <= i, of every block, column by column. The blocks of the
+  /// curvature come first, then the blocks of each part in turn.
   std::vector<int> places_;
   std::vector<int> diagonal_places_;
   std::vector<double> product_;  ///< one column of a block's product

@@ -12,16 +12,16 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kSubproblemPart = 1e4;   // x the error: tolerance of a subproblem, beside that of the whole,
-constexpr double kSubproblemLast = 0.9;   // at the end
-constexpr double kSubproblemFirst = 3.0;  // and at the beginning
-constexpr double kStartComplementarity = 100.0;  // x the last change: sum of the pairs to start from,
-constexpr double kLeastMu = 1e-10;               // and the least mean
-constexpr int kHalvings = 4;                     // of a step before its damping grows instead
+constexpr double kSubproblemPart = 1e4;          // factor on a subproblem's tolerances: this times the error,
+constexpr double kSubproblemLast = 0.9;          // but at least this
+constexpr double kSubproblemFirst = 3.0;         // and at most this
+constexpr double kStartComplementarity = 100.0;  // x last change: initial sum of slack x multiplier,
+constexpr double kLeastMu = 1e-10;               // and least mean of these products
+constexpr int kHalvings = 4;                     // most halvings of a step before the damping is increased
 constexpr double kLargestDamping = 1e6;
-constexpr double kSmallestDamping = 3e-7;  // steps along which nothing changes stay short
-constexpr double kCorrectable = 0.01;      // violation after a step that a correction can make up for,
-constexpr int kCorrectionSteps = 25;       // and the steps that is worth
+constexpr double kSmallestDamping = 3e-7;  // keeps steps short in directions in which nothing changes
+constexpr double kCorrectable = 0.01;      // violation after a step that a correction can remove,
+constexpr int kCorrectionSteps = 25;       // and the number of iterations that this may take
 constexpr double kTighter = 1e-2;
 
 class Solver {
@@ -46,7 +46,7 @@ class Solver {
     charge(price);
     now.damping = options_.damping;
     double mu = warm ? 1e-4 : 1.0;
-    bool untried = false;  // since the price was raised no step has been found
+    bool untried = false;  // true if no step was found since the price was raised
     program_.linearize(z, residual_, row_);
     for (;; ++now.iteration) {
       measure(z, y, now);
@@ -55,13 +55,13 @@ class Solver {
         result.status = PlanStatus::kSolved;
         break;
       }
-      // Multipliers as large as penalties round by as much more.
+      // Multipliers as large as penalties cause larger rounding errors.
       const double rounding = std::max(1.0, 0.1 * y.lpNorm<Eigen::Infinity>());
       const bool settled = now.stationarity <= rounding * options_.stationarity &&
                            now.complementarity <= rounding * options_.complementarity;
       const bool stuck = price.no_less_violated(now.iteration, row_);
       if ((settled || stuck) && price.paid(row_, y)) {
-        // What is violated stays violated at this price. A higher one, then it is settled.
+        // The violations remain at this price. If it is the highest, the problem is infeasible.
         if (price.highest()) {
           result.status = PlanStatus::kInfeasible;
           break;
@@ -71,7 +71,7 @@ class Solver {
         untried = true;
         mu = 1.0;
       }
-      // Subproblems of long trajectories take their time: the observer hears of each of their steps.
+      // Subproblems of long trajectories take long, so the observer is called in each of their iterations.
       const auto go_on = [&] { return !(stopped_ = observer && !observer(now)); };
       const bool last = now.iteration == options_.max_iterations;
       if (last || !advance(z, y, mu, now, go_on)) {
@@ -80,7 +80,7 @@ class Solver {
           break;
         }
         const bool paid = price.paid(row_, y);
-        if (!last && paid && !price.highest()) {  // no further at this one
+        if (!last && paid && !price.highest()) {  // no progress at this price
           price.raise();
           charge(price);
           untried = true;
@@ -88,8 +88,8 @@ class Solver {
           mu = 1.0;
           continue;
         }
-        // No further, and what is violated pulls with the highest price, or does not move at it: infeasible,
-        // if not to the last digit.
+        // No progress. If violated rows have reached the highest penalties, or no step was found with them,
+        // the problem counts as infeasible, although the tolerances are not met.
         if (price.highest() && (paid || (untried && !last))) result.status = PlanStatus::kInfeasible;
         break;
       }
@@ -120,7 +120,7 @@ class Solver {
     }
   }
 
-  /// Subproblems and steps are to go by this price.
+  /// Makes subproblems and the filter use this price. Clears the filter and the least error.
   void charge(const ViolationPrice& price) {
     error_ = INFINITY;
     quadratic_.bounds.penalty = price.penalties();
@@ -128,7 +128,7 @@ class Solver {
     filter_.clear();
   }
 
-  /// Objective and mean violation: what a step is judged by.
+  /// Returns the quantities by which the filter judges a point.
   Judged judge(const VectorXd& z, const VectorXd& residual, const VectorXd& row) const {
     Judged at;
     at.objective = program_.cost.dot(z) + 0.5 * residual.squaredNorm();
@@ -141,15 +141,15 @@ class Solver {
     return at;
   }
 
-  /// One step; false if none can be found, or if `go_on` says so.
+  /// Takes one step. Returns false if no step is found, or if `go_on` returned false.
   bool advance(VectorXd& z, VectorXd& y, double& mu, SequentialQuadraticProgress& now,
                const std::function<bool()>& go_on) {
     program_.curve(z, residual_, y);
     quadratic_.gradient = gradient_;
     InteriorPointOptions interior;
     interior.go_on = go_on;
-    // As exact as the outer iteration can use it.
-    // What stays violated at its price is no error any more: then the step is.
+    // Subproblems are solved only as exactly as the present error requires. A violation that remains at its
+    // price is not an error; then the size of the last step counts instead.
     const double violated = now.iteration == 0 ? now.violation : std::min(now.violation, now.step);
     error_ = std::min(error_, std::max({now.stationarity, violated, now.complementarity}));
     for (;;) {
@@ -164,7 +164,7 @@ class Solver {
       VectorXd multipliers = y;
       InteriorPointResult solved = solve_quadratic(interior, p, multipliers, now);
       if (solved.interrupted) return false;
-      if (!solved.solved) {  // once more from nothing: the start may have been what was wrong
+      if (!solved.solved) {  // try again from a cold start, in case the warm start was bad
         interior.start_mu = 1.0;
         p.setZero();
         multipliers.setZero();
@@ -175,7 +175,7 @@ class Solver {
         const Judged before = judge(z, residual_, row_);
         const Judged model = modelled(z, p);
         if (now.iteration == 0) filter_.allow(std::max(0.3, 2.0 * before.largest));
-        filter_.allow(2.0 * model.largest);  // at this price no less will do
+        filter_.allow(2.0 * model.largest);  // at this price, the subproblem allows no less
         const double price = dearest_ / program_.metric[0];
         const auto acceptable = [&](const Judged& after, double part) {
           return filter_.accepts(before, model, after, part, price);
@@ -200,8 +200,8 @@ class Solver {
           now.step = (next - z).lpNorm<Eigen::Infinity>();
           z = std::move(next);
           y = multipliers;
-          // What the next subproblem may move: beside it, complementarity is neither too far off nor too
-          // near.
+          // The last change shows how far the next subproblem may move. Its initial products of slack and
+          // multiplier (mu) are chosen in proportion, so that they are neither too large nor too small.
           const double change = std::abs(after.objective - before.objective) + after.largest;
           mu = std::clamp(kStartComplementarity * change / static_cast<double>(row_.size()), kLeastMu, 1.0);
           program_.linearize(z, residual_, row_);
@@ -211,16 +211,16 @@ class Solver {
         mu = 1.0;
       }
       if (now.damping >= kLargestDamping) return false;
-      error_ *= kTighter;  // the step may have been too rough
+      error_ *= kTighter;  // the subproblem may have been solved too inexactly
       now.damping = std::max(now.damping, 1e-6) * 10.0;
     }
   }
 
-  /// The subproblem's rows are to keep their bounds from the values `row` on.
+  /// Sets the bounds of the subproblem's rows, which are those of the program minus the present values `row`.
   void bound_steps(const VectorXd& row) {
     quadratic_.bounds.lower = program_.bounds.lower - row;
     quadratic_.bounds.upper = program_.bounds.upper - row;
-    for (Index i = 0; i < row.size(); ++i) {  // equations stay equations, to the last bit
+    for (Index i = 0; i < row.size(); ++i) {  // the bounds of an equation stay exactly equal
       if (program_.bounds.lower[i] == program_.bounds.upper[i])
         quadratic_.bounds.lower[i] = quadratic_.bounds.upper[i];
     }
@@ -237,7 +237,7 @@ class Solver {
     return solved;
   }
 
-  /// What the subproblem expects of a step.
+  /// Returns the values that the subproblem predicts for the step p.
   Judged modelled(const VectorXd& z, const VectorXd& p) {
     program_.residuals.multiply(p, change_r_);
     program_.rows.multiply(p, change_c_);
@@ -248,8 +248,9 @@ class Solver {
     return model;
   }
 
-  /// The second order correction: the step once more, with the rows' values where it led (in trial_c_), so
-  /// that curvature that the linearised rows do not see is made up for (Nocedal and Wright, 18.3).
+  /// Computes the second order correction (Nocedal and Wright, 18.3): solves the subproblem again with the
+  /// row values at the end of the step (trial_c_). This makes up for the curvature that linearised rows lack.
+  /// Returns false if the subproblem is not solved.
   bool corrected(const VectorXd& z, const VectorXd& p, VectorXd& multipliers, VectorXd& next,
                  InteriorPointOptions interior, SequentialQuadraticProgress& now) {
     program_.rows.multiply(p, change_c_);
@@ -271,9 +272,9 @@ class Solver {
   InteriorPoint interior_;
   QuadraticProgram quadratic_;
   StepFilter filter_;
-  double dearest_ = 0.0;     ///< of any elastic row's violation
-  double error_ = INFINITY;  ///< the least so far
-  bool stopped_ = false;     ///< by the observer
+  double dearest_ = 0.0;     ///< largest penalty of an elastic row
+  double error_ = INFINITY;  ///< least error so far at this price
+  bool stopped_ = false;     ///< true if the observer stopped the solver
   VectorXd residual_, row_, gradient_, change_r_, change_c_, trial_r_, trial_c_;
 };
 

@@ -20,11 +20,13 @@ struct SequentialQuadraticOptions {
   double damping = 1e-3;          ///< initial damping
 };
 
+/// The way in which the solver ended. kStalled: it made no more progress or reached max_iterations, and the
+/// problem is neither solved nor found infeasible.
 enum class PlanStatus { kSolved, kInfeasible, kStalled, kInterrupted };
 
 struct SequentialQuadraticProgress {
   int iteration = 0;
-  int knots = 0;                ///< number of knots of the present grid
+  int knots = 0;                ///< number of knots (points) of the present time grid
   int interior_iterations = 0;  ///< iterations of all subproblems so far
   double objective = 0.0;
   double violation = 0.0;

@@ -12,7 +12,7 @@ namespace armtune::internal {
 struct SparseCholesky::Work {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
-  // Of the solves, kept from one to the next.
+  // Memory of solve(), kept from one call to the next.
   cholmod_dense* solution = nullptr;
   cholmod_dense* y = nullptr;
   cholmod_dense* e = nullptr;
@@ -32,7 +32,7 @@ struct SparseCholesky::Work {
 namespace {
 
 cholmod_sparse view_of(const SymmetricMatrix& matrix) {
-  cholmod_sparse view{};  // of our own arrays, which CHOLMOD reads only
+  cholmod_sparse view{};  // points to our own arrays, which CHOLMOD does not change
   view.nrow = view.ncol = static_cast<std::size_t>(matrix.size);
   view.nzmax = matrix.rows.size();
   view.p = const_cast<int*>(matrix.column_starts.data());
@@ -54,8 +54,8 @@ SparseCholesky::SparseCholesky(const SymmetricMatrix& pattern) : work_(std::make
   common.nmethods = 1;
   common.method[0].ordering = CHOLMOD_NATURAL;
   common.postorder = 0;
-  common.supernodal = CHOLMOD_SIMPLICIAL;  // blocks of one knot are too small for BLAS to gain anything
-  common.final_ll = 1;                     // L D L^T would pass over negative pivots
+  common.supernodal = CHOLMOD_SIMPLICIAL;  // blocks of one knot are too small to benefit from BLAS
+  common.final_ll = 1;                     // L D L^T would accept negative pivots
   common.print = 0;
   cholmod_sparse view = view_of(pattern);
   work_->factor = cholmod_analyze(&view, &common);

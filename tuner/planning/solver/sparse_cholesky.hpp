@@ -1,7 +1,7 @@
 #pragma once
-// Cholesky factorisation of a sparse symmetric positive definite matrix by SuiteSparse CHOLMOD, whose types
-// are used only in sparse_cholesky.cpp. Source: Chen, Davis, Hager, Rajamanickam, Algorithm 887: CHOLMOD,
-// 2008.
+// Factorises a sparse symmetric positive definite matrix (Cholesky) with the library SuiteSparse CHOLMOD,
+// whose types are used only in sparse_cholesky.cpp. Source: Chen, Davis, Hager, Rajamanickam, Algorithm 887:
+// CHOLMOD, 2008.
 
 #include <Eigen/Core>
 #include <memory>
@@ -27,8 +27,8 @@ class SparseCholesky {
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  /// Computes L with L L^T = matrix, which must have the analysed pattern. False if it is not positive
-  /// definite.
+  /// Computes L with L L^T = matrix. The matrix must have the analysed pattern. Returns false if it is not
+  /// positive definite.
   bool factorize(const SymmetricMatrix& matrix);
   /// Solves L L^T x = x in place.
   void solve(Eigen::VectorXd& x);

@@ -6,11 +6,11 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kAccept = 1e-4;           // least part of the predicted decrease
-constexpr double kSubproblemNoise = 1e-8;  // what its tolerance leaves, relative to the merit
-constexpr double kElastic = 1e-6;          // violation of a linearised row that means it
+constexpr double kAccept = 1e-4;           // least accepted share of the predicted decrease
+constexpr double kSubproblemNoise = 1e-8;  // error due to the subproblem's tolerance, relative to the merit
+constexpr double kElastic = 1e-6;          // largest violation of a linearised row that counts as none
 constexpr double kMargin = 1e-5;
-constexpr double kWorth = 1e3;  // violation that a decrease of 1 may cost
+constexpr double kWorth = 1e3;  // violation that is accepted for a predicted decrease of 1
 
 }  // namespace
 
@@ -24,7 +24,7 @@ bool StepFilter::accepts(const Judged& before, const Judged& model, const Judged
     return false;
   const double noise = 1e-12 * std::max(1.0, std::abs(before.objective));
   if (model.largest > kElastic) {
-    // Even the subproblem gives way: what it made less is the objective with the violations at their price.
+    // Even the subproblem violates rows. It minimises the objective plus the price of the violations.
     const auto merit = [&](const Judged& at) { return at.objective + price * at.violation; };
     const double promised = part * (merit(before) - merit(model));
     return merit(after) <= merit(before) - kAccept * promised + kSubproblemNoise * std::abs(merit(before));

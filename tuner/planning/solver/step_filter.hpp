@@ -18,8 +18,8 @@ struct Judged {
 class StepFilter {
  public:
   void clear() { remembered_.clear(); }
-  /// Allows steps whose new point violates a row by up to `largest`. A larger violation that was allowed
-  /// before remains allowed.
+  /// Allows steps whose new point violates a row by up to `largest`. If a larger violation was allowed
+  /// before, it remains allowed.
   void allow(double largest);
   /// True if the step from `before` to `after` is accepted. The new point must be better than every
   /// remembered point, in objective or in violation. If the model predicts a better objective and the

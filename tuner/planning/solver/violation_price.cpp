@@ -11,8 +11,8 @@ using Eigen::VectorXd;
 
 constexpr double kFactor = 100.0;
 constexpr double kHighest = 100.0;
-constexpr double kLess = 0.9;  // of the least sum so far,
-constexpr int kPatience = 15;  // within so many iterations, or the price is too low
+constexpr double kLess = 0.9;  // the sum of violations must fall to this share of the least so far
+constexpr int kPatience = 15;  // within this many iterations; otherwise the price is too low
 
 }  // namespace
 

@@ -13,7 +13,7 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kApart = 0.05;  // of a row from the task's start [s]
+constexpr double kApart = 0.05;  // largest distance in time between the nearest row and the task's start [s]
 
 std::size_t nearest_row(const std::vector<double>& time, const PlanTask& task) {
   std::size_t row = 0;
@@ -29,7 +29,7 @@ std::size_t nearest_row(const std::vector<double>& time, const PlanTask& task) {
   return row;
 }
 
-/// Slopes of `values` over `time`, from their neighbours.
+/// Returns the time derivatives of `values`, from differences of neighbouring columns.
 Eigen::MatrixXd slopes(const Eigen::MatrixXd& values, const std::vector<double>& time) {
   Eigen::MatrixXd found = Eigen::MatrixXd::Zero(values.rows(), values.cols());
   const Eigen::Index last = values.cols() - 1;
@@ -42,7 +42,8 @@ Eigen::MatrixXd slopes(const Eigen::MatrixXd& values, const std::vector<double>&
   return found;
 }
 
-/// After how long the gaze was within its threshold until the next switch, or the path was followed again.
+/// Returns the time [s] after which the gaze stays within its threshold up to the next switch (kSwitch), or
+/// after which the path is followed again (kReturn). Returns nothing if there is no such time.
 std::optional<double> time_to_end(const PlanTask& task, const CsvTable& table,
                                   const std::vector<double>& time, std::size_t first) {
   if (task.kind == PlanKind::kSwitch) {

@@ -1,6 +1,6 @@
 #pragma once
-// Reads the motion of an arm under its controller from the CSV file of a simulation (rollout). A plan that
-// shall improve this motion starts in the same state as the motion, and uses the motion as its first guess.
+// Reads the motion of an arm under its controller from the CSV file of a simulation (rollout). A plan that is
+// meant to improve this motion starts in the same state, and uses the motion as its first guess.
 
 #include <optional>
 
@@ -10,12 +10,13 @@
 namespace armtune::internal {
 
 struct ControllerMotion {
-  Trajectory motion;              ///< from the plan's start to the rollout's end, one knot per row
+  Trajectory motion;              ///< from the plan's start to the rollout's end; one point (knot) per row
   std::optional<double> reached;  ///< kSwitch, kReturn: time until the controller met the task's goal [s]
 };
 
 /// Returns the motion in the task's rollout, from the task's start to the rollout's end. Throws InputError if
-/// the rollout has no row within 0.05 s of the task's start, or a value after it that is not finite.
+/// the rollout has no row within 0.05 s of the task's start, or if a joint's position or velocity from there
+/// on is not finite.
 ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot);
 
 }  // namespace armtune::internal

@@ -13,7 +13,8 @@
 namespace armtune::internal {
 namespace {
 
-/// The joints on their `way`, a motion over the path coordinate, as that goes; and itself.
+/// Returns the motion of the joints and of the path coordinate in time. way: joint motion as a function of
+/// the path coordinate. coordinate: path coordinate as a function of time.
 Trajectory along(const Trajectory& way, const Quintic<double>& coordinate, const TimeGrid& grid) {
   const double duration = grid.phases.front().duration;
   const int intervals = grid.intervals();
@@ -38,7 +39,7 @@ Trajectory along(const Trajectory& way, const Quintic<double>& coordinate, const
 
 PlanProblem fastest_problem(const PlanCommon& common) {
   const Scenario& scenario = common.task.scenario;
-  // One turn: the path's own time is the coordinate.
+  // The path coordinate is the path's own time, over one turn.
   const double turn = scenario.path.period();
   if (turn == 0.0)
     throw InputError(
@@ -60,7 +61,7 @@ PlanProblem fastest_problem(const PlanCommon& common) {
     program.coordinates.push_back(s);
     const int last = grid.intervals();
     const auto joints = joint_names(*common.robot);
-    // From rest to rest, from the curve's beginning to its end.
+    // The motion goes from rest at the curve's start to rest at its end.
     program.terms.push_back(path_coordinate_at(0, 0.0));
     program.terms.push_back(path_coordinate_at(last, turn));
     program.terms.push_back(
@@ -70,7 +71,8 @@ PlanProblem fastest_problem(const PlanCommon& common) {
     return program;
   };
   const MovingPoint target = active_target(scenario);
-  // The joints' way at the path's own speed, gone from rest to rest in the time that there is.
+  // `way` follows the path at the path's own speed. The guess runs through it from rest to rest in the
+  // grid's duration.
   TimeGrid one_turn = problem.grid;
   one_turn.phases.front().duration = turn;
   const Trajectory way = follow(

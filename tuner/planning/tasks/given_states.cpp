@@ -9,7 +9,7 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a limit
+constexpr double kRounding = 1e-9;  // allowance for rounding errors, relative to a limit
 
 std::vector<double> values(const KnotTerm& term, const Knot& knot) {
   std::vector<double> value(term.rows.size());
@@ -19,7 +19,7 @@ std::vector<double> values(const KnotTerm& term, const Knot& knot) {
   return value;
 }
 
-/// Throws where the state that `key` gives breaks one of the term's limits.
+/// Throws InputError if the state violates one of the term's limits. key: task key, for the message.
 void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const char* key,
            const char* advice) {
   if (const auto broken = broken_term(term, state))

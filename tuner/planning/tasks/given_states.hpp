@@ -10,21 +10,22 @@
 
 namespace armtune::internal {
 
-/// Throws InputError if, at the start, the arm is closer to an obstacle or to the cell than the task allows,
-/// or two of its links are closer to each other. Throws InputError too if a joint cannot give the torque that
-/// the arm needs at rest at the goal, or at the start with the acceleration that the task gives for it.
+/// Throws InputError if the start violates a distance that the task requires: of the arm from the obstacles
+/// or from its cell (the floor and bodies around it), or between two links. Throws InputError too if a joint
+/// cannot give the torque that the arm needs at rest at the goal. The torque at the start is checked in the
+/// same way if the acceleration at the start is fixed.
 void check_given_states(const PlanCommon& common);
 
-/// The state of the arm at rest at q (n) [rad, m], at a time [s].
+/// Returns the state of the arm at rest at q (n) [rad, m], at a time [s].
 Knot at_rest(const RobotModel& robot, const JointVector& q, double time);
 
-/// A limit of a term that a state breaks.
+/// A limit that a state violates. A term (knot_term.hpp) is a group of limits, such as those of the torques.
 struct BrokenTerm {
   std::string value;   ///< in words: "torque of elbow_joint would be 161 N m"
-  double limit = 0.0;  ///< in the same unit
+  double limit = 0.0;  ///< the violated limit, in the same unit
 };
 
-/// Returns the first limit of the term that the state breaks, or nothing if it breaks none.
+/// Returns the first limit of the term that the state violates, or nothing if it violates none.
 std::optional<BrokenTerm> broken_term(const KnotTerm& term, const Knot& state);
 
 /// Returns the distance [m] of the arm at q (n) [rad, m] from the nearest obstacle's surface at a time [s].

@@ -12,9 +12,9 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kShortest = 2e-3;   // of a free duration [s]
-constexpr double kLongest = 100.0;   // times its first guess
-constexpr double kLeastGuess = 0.2;  // [s]
+constexpr double kShortest = 2e-3;   // least value of a free duration [s]
+constexpr double kLongest = 100.0;   // greatest value of a free duration, relative to its first guess
+constexpr double kLeastGuess = 0.2;  // least first guess of a duration [s]
 
 }  // namespace
 
@@ -46,15 +46,15 @@ TrajectoryTask PlanCommon::on(const TimeGrid& grid) const {
   program.chain = robot->chain;
   program.grid = grid;
   program.coordinates = coordinates();
-  // Where neither time nor errors cost anything the smoothest of all motions is wanted. Times T^3, since
-  // jerks go with velocities over T^2.
+  // If neither time nor errors have a cost, the smoothest motion is wanted. At equal velocities, jerk is
+  // proportional to 1/T^2, and the integral of its square to 1/T^3. Hence the factor T^3.
   const bool errors_cost = task.kind == PlanKind::kTrack || task.least_error;
   program.smoothness.jerk = task.duration && !errors_cost ? std::pow(*task.duration, 3) : task.smoothness;
   program.duration_cost = 1.0;
   const int last = grid.intervals();
   program.terms.push_back(given_state("start", joint_names(*robot), position_units(*robot), 0,
                                       {start.position, start.velocity, start.acceleration}));
-  program.terms.back().hard = true;  // where the arm is it is, whatever is asked of it
+  program.terms.back().hard = true;  // the start state is given, and must never be violated
   program.terms.push_back(torque_limits(*robot, {0, last}, task.limits.effort));
   if (task.clearance > 0.0) {
     for (const MovingObstacle& obstacle : task.scenario.obstacles)

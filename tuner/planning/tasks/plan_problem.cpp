@@ -13,9 +13,9 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kErrorWeight = 10.0;  // of squared errors beside the jerk: m and rad
+constexpr double kErrorWeight = 10.0;  // weight of squared errors [m^2, rad^2] relative to the jerk's cost
 
-/// A quintic in every joint from one motion to another.
+/// Returns a motion in which every joint follows a quintic polynomial from one state to another.
 Trajectory joint_quintic(const TimeGrid& grid, const MotionPoint<JointVector>& from,
                          const MotionPoint<JointVector>& to) {
   Trajectory motion;
@@ -39,7 +39,7 @@ Trajectory joint_quintic(const TimeGrid& grid, const MotionPoint<JointVector>& f
   return motion;
 }
 
-/// The controller's motion as a first guess on a grid.
+/// Returns the controller's motion on the grid, as a first guess.
 Trajectory controllers(Trajectory motion, const TimeGrid& grid) {
   motion.durations.clear();
   for (const Phase& phase : grid.phases) motion.durations.push_back(phase.duration);
@@ -73,7 +73,7 @@ PlanProblem track_problem(const PlanCommon& common) {
     const double weight = kErrorWeight * duration / last;
     const Scenario& scenario = common.task.scenario;
     program.terms.push_back(tool_path_cost(*common.robot, {0, last}, scenario.path, weight));
-    // The target that is active at each knot.
+    // At each knot, the cost refers to the target that is active there.
     const std::size_t targets = scenario.targets.size();
     for (std::size_t target = 0; target < targets; ++target) {
       int first = -1;
@@ -101,7 +101,7 @@ PlanProblem switch_problem(const PlanCommon& common) {
   const Path from = scenario.targets[scenario.active_target(common.task.at - scenario.control_period)].path;
   const Path to = scenario.targets[scenario.active_target(common.task.at + scenario.control_period)].path;
   const double guess = common.first_duration(1.0);
-  // The task may begin shortly before its switch: the one meant is the next after that.
+  // Time of the next switch. The task may begin shortly before its own switch, which does not count.
   const double until = scenario.next_switch(common.task.at + scenario.control_period);
   const int holding = std::max(4, common.task.knots / 3);
   PlanProblem problem;
@@ -123,7 +123,7 @@ PlanProblem switch_problem(const PlanCommon& common) {
     }
     return program;
   };
-  // The gaze wanders from one target to the other within the first guess.
+  // In the first guess, the gaze moves smoothly from one target to the other.
   problem.target_until = until;
   problem.gaze_target = [to](double t) { return to.at(t); };
   const double start = common.task.at;
@@ -144,7 +144,7 @@ PlanProblem switch_problem(const PlanCommon& common) {
 PlanProblem return_problem(const PlanCommon& common) {
   const Scenario& scenario = common.task.scenario;
   const MovingPoint target = active_target(scenario);
-  // Where the path will be: a first guess, then the guess that follows from it.
+  // The end point on the path depends on the duration. The second pass improves the guess of the first.
   double duration = common.first_duration(1.0);
   JointVector end;
   for (int pass = 0; pass < 2; ++pass) {
@@ -157,7 +157,7 @@ PlanProblem return_problem(const PlanCommon& common) {
     end = *pose;
     duration = common.first_duration(common.likely_duration(end - common.start.position));
   }
-  // The target that is likely to be active by then.
+  // The target that is active at the guessed end.
   const double ending = common.task.at + duration;
   const Path gazed = scenario.targets[scenario.active_target(ending)].path;
   PlanProblem problem;

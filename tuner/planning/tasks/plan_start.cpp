@@ -10,7 +10,7 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kLeadIn = 3.0;  // s on the path before the start: the inverse kinematics settles
+constexpr double kLeadIn = 3.0;  // s on the path before the start, in which the inverse kinematics settles
 
 StartState given_start(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller) {
   StartState state;
@@ -33,7 +33,7 @@ StartState given_start(const PlanTask& task, const RobotModel& robot, const Cont
   }
   const Scenario& scenario = task.scenario;
   const double from = task.at - kLeadIn;
-  // Before a switch: the target the gaze leaves.
+  // At a switch, this is the target that the gaze leaves.
   const Path& target =
       scenario.targets[scenario.active_target(std::max(0.0, task.at - scenario.control_period))].path;
   const Vec3 tool = scenario.path.at(from).position;
@@ -52,7 +52,7 @@ StartState given_start(const PlanTask& task, const RobotModel& robot, const Cont
       robot, *pose, lead_in, [&](double t) { return scenario.path.at(t); },
       [&](double t) { return target.at(t); });
   state.position = motion.position.col(30);
-  if (task.kind != PlanKind::kFastest) state.velocity = motion.velocity.col(30);  // that one begins at rest
+  if (task.kind != PlanKind::kFastest) state.velocity = motion.velocity.col(30);  // kFastest begins at rest
   return state;
 }
 

@@ -7,28 +7,28 @@
 
 namespace armtune::internal {
 
-/// The error that the arm cannot reach a place that the task needs.
+/// The error that the arm cannot reach a point to which the task must bring its tool.
 class OutOfReach : public InputError {
  public:
   using InputError::InputError;
 };
 
 struct StartState {
-  JointVector position, velocity;  ///< n each [rad, m and per s]
-  JointVector acceleration;        ///< empty: free
+  JointVector position, velocity;  ///< n each [rad, m] and [rad/s, m/s]
+  JointVector acceleration;        ///< n [rad/s^2, m/s^2]; empty: free
 };
 
 /// Returns the start state of the task. It is the first of these that is available:
-/// - the state in the rollout that `controller` was read from (null: no rollout);
+/// - the state in the rollout (a simulation) that `controller` was read from (null: no rollout);
 /// - the state that the task gives;
 /// - for kMove, the scenario's start;
-/// - a state in which the tool is on its path and the gaze is at the target. The arm then moves with the
-///   path, or is at rest for kFastest.
-/// Throws InputError; OutOfReach if no joint position puts the tool on its path.
+/// - a state in which the tool is on its path and its z axis (the gaze) points at the target. The arm then
+///   moves with the path, or is at rest for kFastest.
+/// Throws OutOfReach, which is an InputError, if no joint position puts the tool on its path.
 StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller);
 
-/// Returns the acceleration of an arm at rest: zero (n) if the task limits jerks, since accelerations then
-/// cannot jump; else empty, which means free.
+/// Returns the acceleration of an arm at rest. It is zero (n) if the task limits jerks, because accelerations
+/// then cannot jump. Otherwise it is empty, which means free.
 JointVector acceleration_at_rest(const PlanTask& task);
 
 }  // namespace armtune::internal

@@ -19,10 +19,10 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kFromCell = 0.02;  // m, where a task does not say
+constexpr double kFromCell = 0.02;  // m, default clearance if there is a cell
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr long kFewestKnots =
-    12;  // start and end are six conditions a joint, and an interval has one freedom
+    12;  // start and end give six conditions per joint; each interval has one degree of freedom
 constexpr long kMostKnots = 100'000;
 
 JointVector positive_values(yaml::MapReader& map, const char* key, const std::vector<std::string>& joints) {
@@ -74,7 +74,8 @@ PlanStart read_start(const yaml::Node& node, const std::vector<std::string>& joi
   return start;
 }
 
-/// A joint position, velocity or acceleration that its limits rule out is found here, not by the solver.
+/// check_position() and check_size() throw InputError if a joint position, velocity or acceleration violates
+/// its limits. Otherwise, only the solver would find this.
 void check_position(const yaml::Node& node, const JointVector& values, const RobotModel& robot) {
   for (int i = 0; i < robot.n(); ++i) {
     const JointInfo& joint = robot.joints[static_cast<std::size_t>(i)];
@@ -106,7 +107,7 @@ void check_start_and_goal(yaml::MapReader& map, const PlanTask& task) {
     check_size(*start->find("acceleration"), task.start.acceleration, acceleration_limits(task), robot);
 }
 
-/// Keys that say something to some kinds of task only.
+/// Returns the keys that have an effect in this task, but not in every task.
 std::vector<std::string> special_keys(const PlanTask& task) {
   switch (task.kind) {
     case PlanKind::kMove:
@@ -156,7 +157,7 @@ std::string list(const JointVector& values) {
   return text + "]";
 }
 
-/// That the targets do not take turns when the task says so, and when they do.
+/// Returns the message for a task at whose start the target does not switch. It names the switch times.
 std::string no_switch(const PlanTask& task) {
   constexpr std::size_t kNamed = 4;
   const Scenario& scenario = task.scenario;
@@ -171,7 +172,8 @@ std::string no_switch(const PlanTask& task) {
                      scenario.name, task.at, fmt::join(times, ", "));
 }
 
-/// What is kept from the scenario's obstacles and its cell, which must not be touched.
+/// Returns the distance to keep from the scenario's obstacles and cell. If there is a cell, it must be
+/// above 0, because the arm must not touch the cell.
 double read_clearance(yaml::MapReader& map, const Scenario& scenario) {
   const bool has_cell = scenario.clearance && !scenario.clearance->pairs().empty();
   const double clearance = map.number_in("clearance", has_cell ? kFromCell : 0.0, 0.0, kInfinity);
@@ -209,7 +211,7 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   yaml::MapReader map(root);
   PlanTask task;
   task.name = stem(path);
-  // The scenario that follows the plan is called after it.
+  // The scenario that follows the plan is called planned_<name>. This name must not be too long either.
   check_result_name(task.name, path, kLongestName - std::string_view("planned_").size());
   task.source = path;
   task.description = map.string("description", "");

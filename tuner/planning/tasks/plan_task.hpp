@@ -17,12 +17,12 @@ namespace armtune::internal {
 enum class PlanKind {
   kMove,     ///< from one joint position to another
   kTrack,    ///< along the scenario's tool path with the gaze at its targets, with the least error
-  kSwitch,   ///< gaze to the next target while the tool stays on its path
-  kReturn,   ///< tool back to its path; it arrives with the path's velocity and acceleration
+  kSwitch,   ///< the gaze moves to the next target while the tool stays on its path
+  kReturn,   ///< the tool moves back to its path and arrives with the path's velocity and acceleration
   kFastest,  ///< along the tool path's curve in the least time
 };
 
-/// Returns every kind with the word that stands for it in task files.
+/// Returns every kind with its name in task files.
 const std::vector<std::pair<PlanKind, std::string>>& plan_kinds();
 std::string name(PlanKind kind);
 
@@ -33,8 +33,8 @@ struct PlanLimits {
   JointVector jerk;          ///< n or empty (none) [rad/s^3, m/s^3]
 };
 
-/// The start of the motion. If nothing is given, the tool is on its path and the gaze is at the target. For
-/// kMove, it is then the scenario's start.
+/// The start of the motion. If nothing is given, a move starts at the scenario's start position. The other
+/// kinds then start with the tool on its path and the gaze at the target.
 struct PlanStart {
   JointVector position;      ///< n or empty
   JointVector velocity;      ///< n or empty (at rest)
@@ -45,30 +45,30 @@ struct PlanStart {
 struct PlanTask {
   std::string name;
   std::string description;
-  std::string source;  ///< file
+  std::string source;  ///< path of the task's file
   PlanKind kind = PlanKind::kMove;
   Scenario scenario;  ///< gives the true robot (payload, friction), path, targets, obstacles
   double at = 0.0;    ///< start of the plan in the scenario's time [s]
   PlanStart start;
   JointVector goal;                ///< kMove: n
-  std::optional<double> duration;  ///< fixed duration [s]; none: the least possible
+  std::optional<double> duration;  ///< fixed duration [s]; none: the least possible is found
   double hold = 0.5;               ///< kSwitch: the gaze stays on target this long [s]
   bool least_error = false;        ///< kSwitch: least gaze error over a fixed duration in place of least time
   double path_tolerance = 1e-3;    ///< largest tool error along x, y, z [m]
-  double gaze_threshold = 0.15;    ///< [rad]
+  double gaze_threshold = 0.15;    ///< largest gaze angle that counts as on target [rad]
   bool end_gaze = false;           ///< kReturn: true if the gaze must be within its threshold at the end
-  double clearance = 0.0;          ///< least distance of joint origins and tool from obstacles' surfaces,
-                                   ///< and of links from each other and the cell [m]; 0: none
+  double clearance = 0.0;          ///< least distance of joint origins and tool from obstacles' surfaces, of
+                                   ///< links from the cell and, 5 mm at most, from each other [m]; 0: none
   PlanLimits limits;
-  int knots = 200;
-  double smoothness = 1e-9;  ///< weight of jerk beside time and errors; selects one of many optima
+  int knots = 200;           ///< number of intervals of the time grid
+  double smoothness = 1e-9;  ///< small weight of jerk in the cost; selects one of many equal optima
 };
 
 /// Reads a bundled task by name, or a file by path. Throws InputError.
 PlanTask load_plan_task(const std::string& name_or_path);
 
-/// Returns the acceleration limits (n) of the plan: the task's, or the robot's if those are smaller; infinite
-/// for joints without either [rad/s^2, m/s^2].
+/// Returns the acceleration limits (n) of the plan [rad/s^2, m/s^2]: for each joint, the smaller limit of
+/// task and robot, or infinity if it has neither.
 JointVector acceleration_limits(const PlanTask& task);
 
 /// Returns the text of the task with every default written out.

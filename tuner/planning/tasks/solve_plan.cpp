@@ -3,10 +3,10 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kRoomy = 1.25;  // times the least duration: no limit is near everywhere
-constexpr double kSlower = 4.0;  // a second guess, where the first leads nowhere
+constexpr double kRoomy = 1.25;  // times the least duration; such a motion is not near its limits everywhere
+constexpr double kSlower = 4.0;  // factor on the durations of a second guess, if the first fails
 
-/// Adds up the steps of all that was tried.
+/// Solves plans, and adds up the interior point steps of all attempts.
 class Tries {
  public:
   Tries(const SequentialQuadraticOptions& options, const PlanObserver& observer)
@@ -18,8 +18,8 @@ class Tries {
   PlannedTrajectory beside(const PlanProblem& problem, const Trajectory& guess) {
     return counted(solve_beside(problem.task, problem.grid, guess, options_, observer_));
   }
-  /// That nothing less is violated near one guess is no proof: where durations are free, before the verdict
-  /// once more from a slower one, on a coarse grid first.
+  /// Solves from the problem's guess. If this fails, the problem may still have a solution elsewhere. If a
+  /// duration is free, it is therefore solved again from a slower guess, on a coarse grid first.
   PlannedTrajectory from_afar(const PlanProblem& problem) {
     PlannedTrajectory planned = refining(problem, problem.grid, problem.guess);
     TimeGrid slower = problem.grid;
@@ -66,7 +66,7 @@ PlannedTrajectory solve_plan(const PlanProblem& problem, const SequentialQuadrat
     PlannedTrajectory planned = tries.from_afar(problem);
     if (ended(planned)) return planned;
   }
-  // From the same guess as where no duration is given: the same time is found.
+  // The guess is that of a task without a duration. Thus both find the same least time.
   PlannedTrajectory least = tries.from_afar(free);
   if (least.result.status == PlanStatus::kInterrupted) return least;
   if (least.result.status != PlanStatus::kSolved) {

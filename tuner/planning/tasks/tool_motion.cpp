@@ -11,11 +11,12 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kInnerStep = 1e-3;  // s, of the inverse kinematics along a path
+constexpr double kInnerStep = 1e-3;  // s, step of the inverse kinematics along a path
 
-/// Of the components that the joints can hold of a tool that looks, or does not. For six joints and more that
-/// is the whole pose, by a sum in another order than TaskInverse's: poses of equal worth stay where they
-/// were.
+/// Returns the manipulability for the task components that the joints can control. looks: true if the tool's
+/// z axis points at a target. With six or more joints, the task is the whole pose. The terms are then added
+/// in another order than in TaskInverse. The order must not change, because rounding decides between equally
+/// good poses.
 double manipulability(const Jacobian& J, const Mat3& R_0T, bool looks) {
   if (J.cols() >= 6) {
     const Eigen::Matrix<double, 6, 6> A = J * J.transpose();

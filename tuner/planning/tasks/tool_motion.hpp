@@ -1,6 +1,7 @@
 #pragma once
-// Computes joint positions and joint motions by inverse kinematics. The tool is on a path, or follows it, and
-// its z axis (the gaze) points at a target. Plans use the results as first guesses.
+// Computes joint positions and joint motions by inverse kinematics: poses in which the tool is at a point,
+// and motions in which it follows a path, with its z axis (the gaze) on a target. Plans use the results as
+// first guesses.
 
 #include <functional>
 #include <optional>
@@ -21,14 +22,14 @@ enum class BestPose {
 };
 
 /// Returns a joint position (n) within the limits that puts the tool at `tool` and, if a target is given,
-/// points the tool's z axis at `target`. The search starts from `first` and from random positions. The best
-/// pose found is returned. No value if no pose is found.
+/// points the tool's z axis at `target`. The search starts from `first` and from random positions. Returns
+/// the best pose found, or nothing if no pose is found.
 std::optional<JointVector> pose_at(const RobotModel& robot, const Vec3& tool,
                                    const std::optional<Vec3>& target, const JointVector& first,
                                    BestPose best);
 
-/// Returns the motion that begins at joint positions q (n) at the start of the grid. In it the tool follows
-/// `tool`, and its z axis points at `target`. The phases of the motion last as long as those of the grid.
+/// Returns a motion that begins at joint positions q (n) at the start of the grid. The tool follows `tool`,
+/// and its z axis points at `target`. The phases of the motion last as long as those of the grid.
 Trajectory follow(const RobotModel& robot, const JointVector& q, const TimeGrid& grid,
                   const MovingPoint& tool, const MovingPoint& target);
 

@@ -1,4 +1,4 @@
-// The arm's distance from itself and from its cell.
+// Limits on the distances between links of the arm, and of links from the cell (arm_terms.hpp).
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 namespace armtune::internal {
 namespace {
 
-/// What the distances of a pair are called: one name for all pairs with the same part of the cell.
+/// Returns the name of a pair's term. All pairs with the same part of the cell share one term.
 std::string term_name(const ClearanceModel& model, const ContactPair& pair) {
   switch (pair.of) {
     case Clearance::kCell:
@@ -30,7 +30,7 @@ std::string row_name(const ClearanceModel& model, const ContactPair& pair) {
   return pair.of == Clearance::kSelf ? fmt::format("{} and {}", link, solids[pair.other].link) : link;
 }
 
-/// Writes the distance of a pair over `radius`, and its derivatives.
+/// Writes the distance of a pair divided by `radius`, and its derivatives.
 class PairRow {
  public:
   PairRow(const ClearanceModel& model, const ContactPair& pair, double radius)
@@ -50,7 +50,7 @@ class PairRow {
   }
 
  private:
-  /// d / dq of direction . p, a point p of a body.
+  /// Adds the derivatives of direction . p with respect to q, where p is a point of the body.
   void add(const Knot& knot, int body, const Vec3& p, const Vec3& direction, double* by_q) const {
     for (int j = 0; j <= body; ++j)
       by_q[j] += direction.dot(point_rate(axis_of(model_.robot().chain, knot.poses, j), p));
@@ -75,7 +75,7 @@ std::vector<KnotTerm> clear_of_cell(const std::shared_ptr<const ClearanceModel>&
     std::vector<std::string> rows;
     std::map<std::string, int> used;
     for (const std::size_t k : of_term) {
-      // A link of several bodies has a row for each of them.
+      // A link that consists of several bodies has one row for each of them.
       std::string row = row_name(*model, pairs[k]);
       if (const int count = ++used[row]; count > 1) row += fmt::format(" ({})", count);
       rows.push_back(std::move(row));

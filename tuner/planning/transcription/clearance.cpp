@@ -1,4 +1,4 @@
-// The arm's distance from obstacles.
+// Limits on the arm's distance from obstacles (arm_terms.hpp).
 
 #include <algorithm>
 #include <limits>
@@ -10,12 +10,12 @@
 namespace armtune::internal {
 namespace {
 
-/// The origin of a first joint that turns stands still: nothing can be done about it.
+/// Returns the first joint whose origin can move. If joint 0 is revolute, its origin is fixed.
 int first_moving_origin(const Chain& chain) {
   return chain.motion[0] == JointMotion::kRevolute ? 1 : 0;
 }
 
-/// Origin of joint i; the tool stands behind the last joint.
+/// Returns the origin of joint i. If i is the number of joints, returns the tool's position.
 const Vec3& point(const Poses& poses, int i) {
   return i < poses.n ? poses.p_0B[static_cast<std::size_t>(i)] : poses.p_0T;
 }
@@ -45,7 +45,7 @@ KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle
       const Vec3 direction = distance > 0.0 ? Vec3(away / (distance * radius)) : Vec3(Vec3::UnitZ() / radius);
       for (int j = 0; j < i; ++j)
         out.by_q[row * out.columns + j] = direction.dot(point_rate(axis_of(chain, knot.poses, j), p));
-      // A sliding joint carries its own origin along.
+      // A prismatic joint moves its own origin.
       if (!tool && chain.motion[static_cast<std::size_t>(i)] == JointMotion::kPrismatic)
         out.by_q[row * out.columns + i] = direction.dot(axis_of(chain, knot.poses, i).z);
       out.by_time[row] = -direction.dot(at.velocity);

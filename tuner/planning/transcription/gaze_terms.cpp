@@ -1,4 +1,4 @@
-// Tool z and the line to a target.
+// Cost and limit on the angle between the tool's z axis and the line to a target (arm_terms.hpp).
 
 #include <cmath>
 
@@ -9,12 +9,13 @@
 namespace armtune::internal {
 namespace {
 
-/// How the unit vector u along a line of this length changes with the line.
+/// Returns the derivative of the unit vector u = line / length, for a given derivative of the line.
 Vec3 direction_rate(const Vec3& u, double length, const Vec3& line_rate) {
   return (line_rate - u * u.dot(line_rate)) / length;
 }
 
-/// x and y of the unit vector tool to target in the tool frame: zero when tool z points at it.
+/// The x and y components of the unit vector from the tool to the target, in the tool frame. They are zero if
+/// the tool's z axis points at the target.
 struct GazeError {
   Eigen::Vector2d value;
   Eigen::Matrix<double, 2, kMaxJoints> by_q;
@@ -32,7 +33,7 @@ void gaze_error(const Chain& chain, const Knot& knot, const MotionPoint<Vec3>& t
   for (int i = 0; i < chain.n; ++i) {
     const JointAxis axis = axis_of(chain, knot.poses, i);
     Vec3 rate = direction_rate(u, distance, -point_rate(axis, knot.poses.p_0T));
-    if (axis.turns) rate += u.cross(axis.z);  // R^T turns back as the tool turns
+    if (axis.turns) rate += u.cross(axis.z);  // derivative of R^T: the tool frame turns
     out.by_q.col(i) = Eigen::Vector2d(R.col(0).dot(rate), R.col(1).dot(rate));
   }
   const Vec3 rate = direction_rate(u, distance, target.velocity);
@@ -64,7 +65,8 @@ KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const Path& targe
   term.on_time = true;
   term.upper = 1.0;
   const double half = std::sin(0.5 * angle);
-  // sin^2(angle/2) = (1 - cos)/2 over its limit: smooth, and it grows up to the target straight behind.
+  // The row is sin^2(angle/2) = (1 - cos(angle))/2, divided by its limit. It is smooth, and increases up
+  // to an angle of 180 degrees.
   const double factor = 0.5 / (half * half);
   term.units = {"rad"};
   term.natural = [half](std::size_t, double value) {
@@ -76,7 +78,7 @@ KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const Path& targe
     const double distance = line.norm();
     const Vec3 u = line / distance;
     const Vec3 z = knot.poses.R_0T.col(2);
-    // 1 - cos of a small angle from the difference of the directions, which keeps its digits.
+    // 1 - cos(angle) = |u - z|^2 / 2. This form loses no digits at small angles.
     const Vec3 apart = u - z;
     out.value[0] = factor * 0.5 * apart.squaredNorm();
     if (out.by_q == nullptr) return;

@@ -18,7 +18,8 @@ inline JointAxis axis_of(const Chain& chain, const Poses& poses, int joint) {
   return {poses.R_0B[k].col(2), poses.p_0B[k], chain.motion[k] == JointMotion::kRevolute};
 }
 
-/// Returns dp/dq_i, the derivative of a point p [m] of the arm beyond joint i by the position of this joint.
+/// Returns dp/dq_i: the derivative of a point p [m] with respect to the position of joint i. The point
+/// belongs to the arm beyond this joint.
 inline Vec3 point_rate(const JointAxis& axis, const Vec3& p) {
   return axis.turns ? Vec3(axis.z.cross(p - axis.p)) : axis.z;
 }

@@ -1,6 +1,7 @@
 #pragma once
-// A term of a trajectory optimisation: a cost, or constraints, at some knots of the time grid. The rows of a
-// term depend on the time and on the motion of the joints at one knot.
+// Defines the terms of a trajectory optimisation. A term is a cost, or a group of constraints, that applies
+// at some knots (points) of the time grid. Its rows depend on the time and on the motion of the joints at one
+// knot.
 
 #include <functional>
 #include <limits>
@@ -20,14 +21,14 @@ struct Knot {
   Poses poses;                          ///< at q
 };
 
-/// The places where a term writes its rows. Derivatives are stored row by row, in natural units. A null
-/// pointer means that the values are not needed.
+/// The places where a term writes the values and derivatives of its rows. Derivatives are stored row by row,
+/// in natural units. A null pointer means that the derivatives are not needed.
 struct KnotRows {
   double* value = nullptr;
   double* by_q = nullptr;  ///< rows x (n, then 1 for the path coordinate if the task has one)
   double* by_qd = nullptr;
   double* by_qdd = nullptr;
-  double* by_time = nullptr;  ///< rows
+  double* by_time = nullptr;  ///< one per row
   int columns = 0;            ///< number of columns of by_q, by_qd, by_qdd each
 };
 
@@ -38,18 +39,19 @@ struct KnotTerm {
   std::vector<std::string> rows;  ///< name of each row, such as a joint or an axis
   int first_knot = 0;
   int last_knot = 0;
-  bool on_velocity = false;
-  bool on_acceleration = false;
-  bool on_time = false;
-  bool cost = false;
-  bool linear = false;  ///< true if it has no curvature
-  bool hard = false;    ///< true if its rows must never be violated
+  bool on_velocity = false;      ///< true if the rows depend on velocities
+  bool on_acceleration = false;  ///< true if the rows depend on accelerations
+  bool on_time = false;          ///< true if the rows depend on the time of the knot
+  bool cost = false;             ///< true if the term is a cost, false if it is a group of limits
+  bool linear = false;           ///< true if all second derivatives of the rows are zero
+  bool hard = false;             ///< true if the rows must never be violated
   double lower =
       -std::numeric_limits<double>::infinity();  ///< bounds of every row; values are divided by their limit
   double upper = std::numeric_limits<double>::infinity();
   std::function<void(const Knot&, const KnotRows&)> evaluate;
   std::vector<std::string> units;  ///< units of the values that `natural` returns; empty: 1
-  /// Returns a row's value in the user's unit, such as a torque in N m. Null: the value has that unit.
+  /// Returns a row's value in the user's unit, such as a torque in N m. Null: the value already has this
+  /// unit.
   std::function<double(std::size_t row, double value)> natural;
 };
 

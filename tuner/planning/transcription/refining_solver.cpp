@@ -6,18 +6,18 @@
 namespace armtune::internal {
 namespace {
 
-constexpr int kCoarsest = 24;  // intervals of the longest phase
-constexpr int kFactor = 3;     // from one grid to the next
-// Multipliers near the edge of what is feasible grow without bound beside the objective, and a violation is
-// dear only so far: before a task is called infeasible the objective must weigh next to nothing.
+constexpr int kCoarsest = 24;  // coarser grids have at least this many intervals in their longest phase
+constexpr int kFactor = 3;     // ratio of the intervals of one grid and the next coarser one
+// If a task is barely feasible, its multipliers grow without bound relative to the objective, but the penalty
+// on violations is bounded. A task is called infeasible only after a solve with this weight of the objective.
 constexpr double kLeastWeight = 1e-6;
-// Where only the smoothness is to gain the objective's scale is ours. Weighed, it is to be this much
-constexpr double kWorthFromAfar = 20.0;  // at a guess from afar,
-constexpr double kWorthOfGuess = 5e-3;   // at one beside the limits,
-constexpr double kWorthOfPlan = 0.02;    // and at least this at what is found,
-constexpr double kMoreWeight = 1e3;      // by way of weights that grow so much at a time
+// If smoothness is the only objective, its scale is arbitrary. The weighted objective shall be
+constexpr double kWorthFromAfar = 20.0;  // at most this at a guess far from the solution,
+constexpr double kWorthOfGuess = 5e-3;   // at most this at a guess that nearly satisfies the limits,
+constexpr double kWorthOfPlan = 0.02;    // and about this at the solution. The weight is raised
+constexpr double kMoreWeight = 1e3;      // by at most this factor at a time.
 
-/// Intervals of the longest phase on each grid, the finest first.
+/// Returns the number of intervals of the longest phase on each grid, the finest grid first.
 std::vector<int> sizes_of(const TimeGrid& grid) {
   std::vector<int> sizes{0};
   for (const Phase& phase : grid.phases) sizes.front() = std::max(sizes.front(), phase.intervals);
@@ -25,7 +25,8 @@ std::vector<int> sizes_of(const TimeGrid& grid) {
   return sizes;
 }
 
-/// Every phase with its part of `longest` intervals, at least 4 and never more than wanted.
+/// Returns the grid with the intervals of every phase multiplied by longest / wanted. A phase keeps at least
+/// 4 intervals, or all if it has fewer.
 TimeGrid coarser(const TimeGrid& grid, int longest, int wanted) {
   TimeGrid coarse = grid;
   for (Phase& phase : coarse.phases)
@@ -35,7 +36,7 @@ TimeGrid coarser(const TimeGrid& grid, int longest, int wanted) {
   return coarse;
 }
 
-/// The task with its whole objective times `weight`.
+/// Returns the task with its whole objective multiplied by `weight`.
 TaskOnGrid weighted(const TaskOnGrid& task, double weight) {
   if (weight == 1.0) return task;
   return [task, weight](const TimeGrid& grid) {
@@ -60,7 +61,7 @@ TaskOnGrid weighted(const TaskOnGrid& task, double weight) {
   };
 }
 
-/// Whether only the smoothness is to gain: then the objective's size says nothing.
+/// True if smoothness is the only objective. The size of the objective then has no meaning.
 bool smoothest(const TrajectoryTask& task) {
   const auto free = [](const Phase& phase) { return phase.free; };
   const auto costs = [](const KnotTerm& term) { return term.cost; };
@@ -68,7 +69,8 @@ bool smoothest(const TrajectoryTask& task) {
          std::none_of(task.terms.begin(), task.terms.end(), costs);
 }
 
-/// As much as it takes for the guess to be worth kWorthFromAfar, where only the smoothness is to gain.
+/// Returns the weight that makes the objective at the guess kWorthFromAfar, but at most 1. Returns 1 unless
+/// smoothness is the only objective.
 double first_weight(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess) {
   TrajectoryTask made = task(grid);
   if (!smoothest(made)) return 1.0;
@@ -78,7 +80,7 @@ double first_weight(const TaskOnGrid& task, const TimeGrid& grid, const Trajecto
   return std::min(1.0, kWorthFromAfar / program.objective(program.unknowns(from)));
 }
 
-/// The observer hears of the grid's knots, too.
+/// Returns an observer that also receives the number of the grid's knots.
 PlanObserver with_knots(const TimeGrid& grid, const PlanObserver& observer) {
   return [knots = grid.knots(), &observer](SequentialQuadraticProgress at) {
     at.knots = knots;
@@ -110,9 +112,9 @@ PlannedTrajectory refine(const TaskOnGrid& task, const TimeGrid& grid, const Tra
       here.damping = planned.result.last.damping;
     }
     Trajectory from = on_grid(solved ? planned.trajectory : guess, level);
-    // The dynamics are kept at any price: a guess that breaks them would have to move far, however short its
-    // steps are to be. A coarser grid's solution keeps them nearly, and its accelerations may well have
-    // jumps.
+    // The equations of continuity between knots are hard. If the guess violates them, the first step must be
+    // long, in spite of the damping. A coarser grid's solution nearly satisfies them. It is kept unchanged,
+    // because its accelerations may have jumps.
     if (!solved) make_continuous(from);
     planned.result = solve(*program, program->unknowns(from), y, here, with_knots(level, observer));
     planned.interior_iterations += planned.result.last.interior_iterations;
@@ -123,7 +125,8 @@ PlannedTrajectory refine(const TaskOnGrid& task, const TimeGrid& grid, const Tra
   return planned;
 }
 
-/// A solution whose objective weighed too little to be at its least, with more and more of it.
+/// Solves again with increasing weights of the objective, if the weight was too small for the solution to
+/// minimise the objective.
 PlannedTrajectory weighed_in(PlannedTrajectory planned, const TaskOnGrid& task, const TimeGrid& grid,
                              const SequentialQuadraticOptions& options, const PlanObserver& observer) {
   while (planned.result.status == PlanStatus::kSolved) {
@@ -138,7 +141,7 @@ PlannedTrajectory weighed_in(PlannedTrajectory planned, const TaskOnGrid& task, 
     now.interior_iterations = planned.interior_iterations + now.result.last.interior_iterations;
     now.trajectory = now.program->trajectory(now.result.z);
     planned.interior_iterations = now.interior_iterations;
-    // Coming to no end says nothing against what was found before.
+    // If this solve fails, the solution from before is still valid.
     if (now.result.status != PlanStatus::kSolved && now.result.status != PlanStatus::kInterrupted) break;
     planned = std::move(now);
   }
@@ -160,13 +163,13 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
   for (const double weight : {first, kLeastWeight * first}) {
     PlannedTrajectory now = refine(weighted(task, weight), grid, guess, options, observer);
     steps += now.interior_iterations;
-    // Coming to no end says nothing against what was found before.
+    // A solve that stalls does not refute the result from before.
     if (now.result.status == PlanStatus::kStalled && planned.result.status == PlanStatus::kInfeasible) break;
     planned = std::move(now);
     planned.weight = weight;
     if (planned.result.status == PlanStatus::kSolved && weight < first && !smoothest(task(grid))) {
-      // Feasible: from there with all that the objective weighs, and multipliers to match, so that violations
-      // are dear enough from the beginning.
+      // The task is feasible. Continue from this solution with the full objective. The multipliers are scaled
+      // accordingly, so that the penalties on violations are high enough from the beginning.
       const auto program = std::make_shared<TrajectoryProgram>(task(grid));
       planned.result = solve(*program, planned.result.z, planned.result.multipliers / weight, options,
                              with_knots(grid, observer));

@@ -9,34 +9,37 @@
 
 namespace armtune::internal {
 
-/// A function that returns the task on a given grid. The grids differ only in their numbers of intervals.
+/// A function that returns the task on a given time grid. The grids differ only in their numbers of
+/// intervals.
 using TaskOnGrid = std::function<TrajectoryTask(const TimeGrid&)>;
 
 struct PlannedTrajectory {
   Trajectory trajectory;
   SequentialQuadraticResult result;
   std::shared_ptr<TrajectoryProgram> program;  ///< on the fine grid, unless interrupted
-  double weight = 1.0;                         ///< factor that the program's objective is multiplied with
+  double weight = 1.0;                         ///< factor by which the program's objective is multiplied
   int interior_iterations = 0;                 ///< on all grids
   /// True if the plan is infeasible because the given duration is too short. All other members then describe
   /// the plan of the least time.
   bool too_short = false;
 
+  /// Returns the task's objective, without the factor `weight`.
   double objective() const { return result.last.objective / weight; }
 };
 
-/// Returns the grid that refining starts on.
+/// Returns the coarsest grid, on which solve_refining() starts.
 TimeGrid coarsest(const TimeGrid& grid);
 
 /// Solves on `grid`, starting from `guess` on coarser grids. The status kInfeasible means that no solution
-/// was found on this grid, not even with a millionth of the objective's weight. A coarse grid without a
-/// solution proves nothing.
+/// was found on `grid` itself, not even when the objective was multiplied by 1e-6. Failure on a coarser grid
+/// does not count.
 PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                  const SequentialQuadraticOptions& options, const PlanObserver& observer);
 
-/// Solves on `grid` alone. The guess has the knots of this grid, and keeps the limits or nearly so. If the
-/// problem is barely feasible, objective and multipliers can outgrow the penalty on violations. The objective
-/// is therefore multiplied by a weight, which decreases as the objective at the guess grows.
+/// Solves on `grid` alone. The guess has the knots (points) of this grid, and satisfies the limits, at least
+/// nearly. If the problem is barely feasible, objective and multipliers can outgrow the penalty on
+/// violations. The objective is therefore multiplied by a weight, which is smaller if the objective at the
+/// guess is larger.
 PlannedTrajectory solve_beside(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                const SequentialQuadraticOptions& options, const PlanObserver& observer);
 

@@ -1,19 +1,20 @@
 #pragma once
-// Constraints that fix the motion at one knot of a trajectory, such as its start state or its goal.
+// Makes constraints that fix the motion at one knot (point) of a trajectory, such as its start state or its
+// goal.
 
 #include "tuner/planning/transcription/knot_term.hpp"
 #include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 
-/// The given position, velocity and acceleration of every coordinate [rad, m and per s, s^2]; empty:
-/// not given.
+/// The given position, velocity and acceleration of every coordinate [rad, m and per s, s^2]. A vector is
+/// empty if it is not given.
 struct GivenState {
   Eigen::VectorXd position, velocity, acceleration;
 };
 
-/// Returns equations by which the coordinates called `names` have the given state at the knot. units: those
-/// of the positions.
+/// Returns equations that give the coordinates called `names` the given state at the knot. units: units of
+/// the positions.
 inline KnotTerm given_state(const std::string& name, const std::vector<std::string>& names,
                             const std::vector<std::string>& units, int knot, const GivenState& given) {
   KnotTerm term;
@@ -45,7 +46,7 @@ inline KnotTerm given_state(const std::string& name, const std::vector<std::stri
   return term;
 }
 
-/// Returns an equation by which the path coordinate has the value `s` at the knot.
+/// Returns an equation that gives the path coordinate the value `s` at the knot.
 inline KnotTerm path_coordinate_at(int knot, double s) {
   KnotTerm term;
   term.name = kept_words::kPathCoordinate;

@@ -1,6 +1,7 @@
 #pragma once
-// The time grid of a trajectory. It consists of phases. The intervals of a phase have equal lengths, and its
-// duration may be free.
+// Defines the time grid of a trajectory. The grid is a series of phases, and each phase is divided into
+// intervals of equal length. The duration of a phase is fixed, or free, that is, found by the optimisation.
+// The ends of the intervals are the knots of the grid.
 
 #include <string>
 #include <vector>

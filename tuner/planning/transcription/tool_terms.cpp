@@ -1,4 +1,4 @@
-// The tool on a path in time, or on a curve in its own coordinate.
+// Limits and costs that keep the tool on a path in time, or on a curve (arm_terms.hpp).
 
 #include <cmath>
 
@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Of the tool's distance from its path, so that `tolerance` is 1 where there is one.
+/// Returns the factor on the tool's distance from its path: 1 / tolerance, or 1 if the tolerance is 0.
 double path_factor(double tolerance) {
   return tolerance > 0.0 ? 1.0 / tolerance : 1.0;
 }
@@ -24,7 +24,7 @@ KnotTerm path_term(KnotRange knots, double tolerance) {
   return term;
 }
 
-/// Tool minus a point of its path, times `factor`, with its derivatives by the joints.
+/// Computes factor * (tool position - wanted), and its derivatives with respect to q.
 void tool_offset(const Chain& chain, const Knot& knot, const Vec3& wanted, double factor,
                  const KnotRows& out) {
   Eigen::Map<Vec3> value(out.value);
@@ -36,7 +36,7 @@ void tool_offset(const Chain& chain, const Knot& knot, const Vec3& wanted, doubl
 
 using Along = Dual<kMaxJoints>;
 
-/// d (J q'' + J' q') / dq, linear part, row by row.
+/// Writes d(J q'' + J' q')/dq for the linear part of J, row by row.
 void add_acceleration_along_q(const ChainT<Along>& chain, const Knot& at, double* rows, int columns) {
   JointVectorT<Along> q = at.q.cast<Along>();
   for (int i = 0; i < chain.n; ++i) q[i].slope[i] = 1.0;
@@ -106,14 +106,14 @@ KnotTerm tool_moves_with_path(const RobotModel& robot, int knot, const Path& pat
     if (out.by_q == nullptr) return;
     double* acceleration_by_q = out.by_q + 3 * out.columns;
     for (int i = 0; i < n; ++i) {
-      // p's second derivatives are symmetric: J q' changes along q as J along q', and J' q' along q' by 2 J'.
+      // The second derivatives of p are symmetric. Therefore d(J q')/dq = J', and d(J' q')/dq' = 2 J'.
       put(out.by_q, out.columns, i, J_dot.col(i).head<3>());
       put(out.by_qd, out.columns, i, J.col(i).head<3>());
       put(out.by_qd + 3 * out.columns, out.columns, i, 2.0 * J_dot.col(i).head<3>());
       put(out.by_qdd + 3 * out.columns, out.columns, i, J.col(i).head<3>());
     }
     add_acceleration_along_q(dual, at, acceleration_by_q, out.columns);
-    // The third derivative of a path of harmonics: a difference of its exact accelerations.
+    // The path's jerk is a central difference of its exact accelerations.
     constexpr double kStep = 1e-4;
     const Vec3 jerk =
         (path.at(at.time + kStep).acceleration - path.at(at.time - kStep).acceleration) / (2.0 * kStep);

@@ -73,8 +73,8 @@ void make_continuous(Trajectory& motion) {
     return motion.time[static_cast<std::size_t>(k) + 1] - motion.time[static_cast<std::size_t>(k)];
   };
   const auto slope = [&](Eigen::Index k) -> Eigen::VectorXd { return (q.col(k + 1) - q.col(k)) / h(k); };
-  // h- a-/6 + (h- + h) a/3 + h a+/6 = slope - slope-: the velocity is continuous at every knot. Elimination
-  // from the first knot on (Thomas), the right-hand sides in a.
+  // The velocity is continuous at every knot: h- a-/6 + (h- + h) a/3 + h a+/6 = slope - slope-. The Thomas
+  // algorithm solves these equations. Until then, `a` contains their right-hand sides.
   Eigen::VectorXd diagonal(last + 1);
   diagonal[0] = h(0) / 3.0;
   a.col(0) = slope(0) - motion.velocity.col(0);

@@ -1,5 +1,6 @@
 #pragma once
-// A planned motion on a time grid. It is cubic between two knots, so the jerk is piecewise constant.
+// Stores and evaluates a planned motion on a time grid. Between two knots (points of the grid) the motion is
+// cubic, so its jerk is piecewise constant.
 
 #include <Eigen/Core>
 #include <vector>
@@ -10,12 +11,12 @@ namespace armtune::internal {
 
 struct Trajectory {
   std::vector<double> time;                          ///< times of the knots, ascending [s]
-  Eigen::MatrixXd position, velocity, acceleration;  ///< coordinates x knots
+  Eigen::MatrixXd position, velocity, acceleration;  ///< coordinates (joints, path coordinate) x knots
   std::vector<double> durations;                     ///< one per phase [s]
 };
 
 /// The position, velocity and acceleration of every coordinate at a time t [s]. Before the start and after
-/// the end they are those of the nearer end.
+/// the end, point_at() returns the values of the nearer end.
 struct TrajectoryPoint {
   Eigen::VectorXd position, velocity, acceleration;
 };
@@ -25,13 +26,13 @@ TrajectoryPoint point_at(const Trajectory& trajectory, double t);
 /// trajectory's durations in place of the grid's.
 Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid);
 
-/// Returns the motion through the same positions with the phase durations of `grid`, which has as many knots.
-/// Velocities and accelerations are scaled accordingly, except those at the start.
+/// Returns the motion through the same positions with the phase durations of `grid`, which has the same
+/// number of knots. Velocities and accelerations are scaled accordingly, except those at the start.
 Trajectory in_durations_of(const TimeGrid& grid, Trajectory trajectory);
 
-/// Replaces velocities and accelerations by those of the cubic spline through the positions. It starts
-/// and ends with the motion's own velocities (de Boor, A Practical Guide to Splines, chapter IV). The motion
-/// must have at least 2 knots.
+/// Replaces velocities and accelerations by those of the cubic spline through the positions. At start and
+/// end, the spline has the motion's own velocities (de Boor, A Practical Guide to Splines, chapter IV). The
+/// motion must have at least 2 knots.
 void make_continuous(Trajectory& motion);
 
 }  // namespace armtune::internal

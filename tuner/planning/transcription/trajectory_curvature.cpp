@@ -1,5 +1,6 @@
-// The curvature of rows and residuals: exact where durations are free and bilinear with the motion; of the
-// terms at knots by differences of their exact derivatives, and only where their multipliers are not zero.
+// Computes the second derivatives (curvature) of rows and residuals. Those of the rows between knots are
+// zero unless the duration is free, and are exact. Those of the terms at knots are differences of exact first
+// derivatives. They are computed only if a multiplier of the term is not zero.
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,7 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
       const bool jerk_row = std::isfinite(limit);
       const double y_jerk = jerk_row ? y[rows.block(jerk++).first_row] : 0.0;
       const double y_inside = coordinate.limits_velocity() ? y[rows.block(inside++).first_row] : 0.0;
-      // Of the two control points of the position, over their unit.
+      // Multipliers of the two control points of the position, divided by their unit.
       double y_early = 0.0, y_late = 0.0;
       if (coordinate.limits_position()) {
         y_early = y[rows.block(inside_position++).first_row] / coordinate.position_unit();
@@ -82,7 +83,7 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
       const double sa = scale(2, j);
       const double a0 = z[column(k, 2, j)] * sa;
       const double a1 = z[column(k + 1, 2, j)] * sa;
-      auto C = curvature.values(first + j);  // over v0, a0, a1, T
+      auto C = curvature.values(first + j);  // with respect to v0, a0, a1, T
       double by_a0 = -y_q * 2.0 * h / 3.0 - y_v / (2.0 * sv) + y_inside / (2.0 * coordinate.velocity_unit());
       double by_a1 = -y_q * 2.0 * h / 6.0 - y_v / (2.0 * sv);
       double by_h = -y_q * 2.0 * (a0 / 3.0 + a1 / 6.0);
@@ -121,7 +122,7 @@ void TrajectoryProgram::curve_knots(const VectorXd& z, const VectorXd& residual,
     const auto& block = curvature.blocks()[static_cast<std::size_t>(index)];
     const int* columns = curvature.columns(block);
     auto C = curvature.values(index);
-    // The gradient of residual^T r + y^T c over the block's columns.
+    // Computes the gradient of residual^T r + y^T c with respect to the block's columns.
     const auto gradient = [&](VectorXd& g) {
       g.setZero(block.columns);
       const Knot knot = knot_at(at, durations(at), k);
@@ -144,7 +145,7 @@ void TrajectoryProgram::curve_knots(const VectorXd& z, const VectorXd& residual,
     };
     gradient(here);
     for (int b = 0; b < block.columns; ++b) {
-      if (is_acceleration(columns[b])) continue;  // every term is linear along accelerations
+      if (is_acceleration(columns[b])) continue;  // every term is linear in accelerations
       const double kept = at[columns[b]];
       at[columns[b]] = kept + kDifference;
       gradient(there);

@@ -1,4 +1,4 @@
-// Unknowns and rows of a trajectory: which there are and which columns each row depends on.
+// Lays out the program of a trajectory: its unknowns, its rows, and the columns that each row depends on.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 
 TrajectoryProgram::TrajectoryProgram(TrajectoryTask task) : task_(std::move(task)) {
   std::erase_if(task_.terms,
-                [](const KnotTerm& term) { return term.rows.empty(); });  // an arm with nothing to say
+                [](const KnotTerm& term) { return term.rows.empty(); });  // terms without rows have no effect
   m_ = static_cast<int>(task_.coordinates.size());
   joints_ = task_.chain ? task_.chain->n : m_;
   const int knots = task_.grid.knots();
@@ -131,11 +131,11 @@ void TrajectoryProgram::lay_out_bounds() {
     if (duration_column_[p] < 0) continue;
     const Phase& phase = task_.grid.phases[p];
     groups_.push_back({rows.rows(), "duration of phase " + phase.name, kBounds, -1, 1, 0, 1.0});
-    // Far from a solution the linearised rows say that no time is needed at all.
+    // Far from a solution, the linearised rows may predict that no time is needed at all.
     halving_rows.push_back(rows.rows());
     const int block = rows.add_diagonal({duration_column_[p]});
     rows.values(rows.block(block))[0] = 1.0;
-    add_bounds(1, phase.shortest, phase.longest, true);  // time never runs backwards
+    add_bounds(1, phase.shortest, phase.longest, true);  // hard: time never runs backwards
   }
 }
 

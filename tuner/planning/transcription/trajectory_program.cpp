@@ -94,7 +94,8 @@ VectorXd TrajectoryProgram::multipliers_from(const TrajectoryProgram& coarse, co
     const RowGroup& from = coarse.groups_[g];
     const Index count = (end_of(*this, g) - to.first_row) / to.width;
     const Index coarse_count = (end_of(coarse, g) - from.first_row) / from.width;
-    // What acts on many knots acts with a density in time; costates and what acts at one knot have none.
+    // The multipliers of a limit at many knots approximate a density in time, so they shrink with the
+    // interval. Those of the dynamics (costates), and of a limit at one knot, do not.
     const double density = to.kind == kDynamics || count == 1
                                ? 1.0
                                : static_cast<double>(coarse_intervals) / static_cast<double>(intervals);

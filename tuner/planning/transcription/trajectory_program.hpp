@@ -1,14 +1,15 @@
 #pragma once
-// Direct transcription of a motion with piecewise constant jerk. The unknowns are position q, velocity q' and
-// acceleration q'' of every coordinate at every knot, and the free durations. Between two knots, the motion
-// is an exact cubic. With h the time between the knots, and q+ the value of q at the second knot:
+// Turns the optimisation of a motion into a nonlinear program (direct transcription). The jerk of the motion
+// is piecewise constant. The unknowns are position q, velocity q' and acceleration q'' of every coordinate at
+// every knot (point of the time grid), and the free durations. Between two knots, the motion is an exact
+// cubic. With h the time between the knots, and q+ the value of q at the second knot:
 //   q+ = q + h q' + h^2 (q''/3 + q''+/6),   q'+ = q' + h (q'' + q''+)/2.
-// Limits of position, velocity and acceleration hold between the knots as well:
-// - q'' is linear there, so its limit holds if it holds at the knots.
-// - q' is a parabola with the control points q', q' + h q''/2, q'+. If they keep the velocity limit, so does
-//   the parabola (Farin, Curves and Surfaces for CAGD, chapter 4).
-// - q has the control points q, q + h q'/3, q + 2 h q'/3 + h^2 q''/6, q+. If they keep the position limits,
-//   so does q.
+// Limits of position, velocity and acceleration are satisfied between the knots as well:
+// - q'' is linear there. It satisfies its limit if it does so at the knots.
+// - q' is a parabola with the control points q', q' + h q''/2, q'+. If these satisfy the velocity limit, so
+//   does the parabola (Farin, Curves and Surfaces for CAGD, chapter 4).
+// - q has the control points q, q + h q'/3, q + 2 h q'/3 + h^2 q''/6, q+. If these satisfy the position
+//   limits, so does q.
 // Source: Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
 
 #include <algorithm>
@@ -26,8 +27,8 @@
 
 namespace armtune::internal {
 
-/// Returns the number that a value between two bounds is divided by, so that a violation is relative to its
-/// limit. It is the larger magnitude of the finite bounds, or 1 if there is none above zero.
+/// Returns the number by which a value between two bounds is divided, so that a violation is relative to its
+/// limit. This is the largest magnitude of the finite bounds, or 1 if that is zero or no bound is finite.
 inline double unit_of(double lower, double upper) {
   const double largest =
       std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
@@ -46,13 +47,13 @@ struct Coordinate {
   bool limits_position() const { return std::isfinite(lower) || std::isfinite(upper); }
   double position_unit() const { return unit_of(lower, upper); }
   bool limits_velocity() const { return std::isfinite(lowest_velocity()) || std::isfinite(velocity); }
-  /// Returns the number that velocities are divided by, so that a violation is relative to the limit.
+  /// Returns the number by which velocities are divided, so that a violation is relative to the limit.
   double velocity_unit() const { return std::isfinite(velocity) ? velocity : velocity_scale; }
   double velocity = std::numeric_limits<double>::infinity();
   double acceleration = std::numeric_limits<double>::infinity();
   double jerk = std::numeric_limits<double>::infinity();
-  double velocity_scale = 1.0;  ///< typical size of q', by which this unknown is scaled
-  double acceleration_scale = 1.0;
+  double velocity_scale = 1.0;      ///< typical size of q', by which this unknown is scaled
+  double acceleration_scale = 1.0;  ///< typical size of q'', by which this unknown is scaled
 };
 
 struct Smoothness {
@@ -61,7 +62,7 @@ struct Smoothness {
 };
 
 struct TrajectoryTask {
-  std::optional<Chain> chain;  ///< none: coordinates only, no poses
+  std::optional<Chain> chain;  ///< none: the terms need only coordinates, no poses
   TimeGrid grid;
   std::vector<Coordinate> coordinates;  ///< the joints, then perhaps the path coordinate
   std::vector<KnotTerm> terms;
@@ -94,7 +95,7 @@ class TrajectoryProgram : public NonlinearProgram {
   RowMeaning meaning(Eigen::Index row) const;
   /// Returns a row's value or bound in the unit of its meaning.
   double natural(Eigen::Index row, double value) const;
-  /// Returns a guess of this program's multipliers from those of the same task on a coarser grid.
+  /// Returns a guess of this program's multipliers, made from those of the same task on a coarser grid.
   Eigen::VectorXd multipliers_from(const TrajectoryProgram& coarse, const Eigen::VectorXd& y) const;
 
  private:
@@ -102,18 +103,18 @@ class TrajectoryProgram : public NonlinearProgram {
   struct RowGroup {
     Eigen::Index first_row;
     std::string limit;
-    int kind;     ///< a GroupKind; `meaning` interprets a row's offset by it
+    int kind;     ///< a GroupKind, from which meaning() finds what a row of the group stands for
     int term;     ///< index of the term, or of the coordinate
     int width;    ///< number of rows per knot
-    int order;    ///< order of the derivative that the group bounds, if it does
-    double size;  ///< size that a value of 1 stands for, if the group bounds a coordinate
+    int order;    ///< order of the derivative that the group bounds, if it bounds one
+    double size;  ///< value in natural units of a row value of 1, if the group bounds a coordinate
   };
   struct TermBlocks {
     int first_block = 0;  ///< in `rows` or `residuals`, one block per knot
   };
   /// Returns an unknown's column. At each knot the coordinates follow one another, each with its derivatives.
-  /// In this order the Cholesky factor fills in least, because a coordinate is coupled only with itself at
-  /// the next knot.
+  /// This order gives the Cholesky factor the least fill-in, because each coordinate is coupled only with
+  /// itself at the next knot.
   int column(int knot, int order, int coordinate) const;
   bool is_acceleration(int column) const { return column < 3 * m_ * task_.grid.knots() && column % 3 == 2; }
   double scale(int order, int coordinate) const;
@@ -154,12 +155,12 @@ class TrajectoryProgram : public NonlinearProgram {
   int joints_ = 0;
   std::vector<int> duration_column_;  ///< [phase]; -1: fixed
   std::vector<int> phase_of_interval_;
-  /// Blocks in `rows`.
+  /// Indices of the first block of each kind in `rows`.
   int first_dynamics_ = 0, first_jerk_ = 0, first_inside_ = 0, first_inside_position_ = 0;
-  std::vector<int> jerk_limited_, velocity_limited_, position_limited_;  ///< coordinates
-  std::vector<int> interval_curvature_;  ///< [interval]: its first block, -1: none
-  std::vector<int> knot_curvature_;      ///< [knot]: its block, -1: none
-  int first_smooth_ = -1;                ///< block in `residuals`; -1: none
+  std::vector<int> jerk_limited_, velocity_limited_, position_limited_;  ///< indices of coordinates
+  std::vector<int> interval_curvature_;  ///< [interval]: its first block in `curvature`; -1: none
+  std::vector<int> knot_curvature_;      ///< [knot]: its block in `curvature`; -1: none
+  int first_smooth_ = -1;                ///< first smoothness block in `residuals`; -1: none
   std::vector<TermBlocks> term_blocks_;
   std::vector<double> lower_, upper_, penalty_;
   std::vector<RowGroup> groups_;

@@ -1,4 +1,4 @@
-// Values and derivatives of the rows at given unknowns.
+// Computes values and derivatives of the rows and residuals at given unknowns.
 
 #include <algorithm>
 #include <cmath>
@@ -102,8 +102,8 @@ void TrajectoryProgram::intervals_at(const VectorXd& z, VectorXd& residual, Vect
         }
       }
       if (first_smooth_ >= 0) {
-        // Exact for an acceleration that is linear between knots:
-        // integral of a^2 = h ((a0 + a1)/2)^2 + h/12 (a1 - a0)^2, of the jerk's square (a1 - a0)^2/h.
+        // These integrals are exact, because the acceleration is linear between knots: that of a^2 is
+        // h ((a0 + a1)/2)^2 + h/12 (a1 - a0)^2, and that of jerk^2 is (a1 - a0)^2/h.
         const RowBlock& smooth = residuals.block(first_smooth_ + k * m_ + j);
         const double mean = std::sqrt(task_.smoothness.acceleration * nominal) / 2.0;
         const double change =

@@ -10,7 +10,7 @@
 namespace armtune::internal {
 namespace {
 
-/// The columns of a rollout that events are read from.
+/// The columns of a rollout's table from which the events are found.
 struct Columns {
   std::vector<double> time, state, gaze;
   std::vector<std::vector<double>> position, velocity, tool;
@@ -29,7 +29,7 @@ struct Columns {
 
   std::size_t rows() const { return time.size(); }
   bool in(std::size_t row, ControlState wanted) const { return state[row] == static_cast<double>(wanted); }
-  /// First row at or after t; rows() if there is none.
+  /// Returns the first row at or after t [s], or rows() if there is none.
   std::size_t row_at(double t) const {
     return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t - 1e-9) - time.begin());
   }
@@ -51,14 +51,14 @@ struct Columns {
     return event;
   }
 
-  /// First row from `first` on, before `end`, in which another state is in charge; `end` if none is.
+  /// Returns the first row of [first, end) in which the controller is in another state, or `end` if none is.
   std::size_t leaves(ControlState state_then, std::size_t first, std::size_t end) const {
     while (first < end && in(first, state_then)) ++first;
     return first;
   }
 
-  /// First row from `first` on from which the gaze is under its threshold until before `end`; `end` if it is
-  /// not at last.
+  /// Returns the first row of [first, end) from which the gaze angle stays below the threshold up to `end`.
+  /// Returns `end` if the angle is not below it in the last of these rows.
   std::size_t settles(double threshold, std::size_t first, std::size_t end) const {
     while (end > first && gaze[end - 1] < threshold) --end;
     return end;
@@ -83,7 +83,8 @@ struct Columns {
     return least;
   }
 
-  /// What the rollout kept in these rows, so that a plan need not keep more.
+  /// Stores the path error and the least distance from obstacles in these rows, because a plan need not do
+  /// better than the rollout.
   void keep(const Scenario& scenario, std::size_t first, std::size_t last, Event& event) const {
     event.path_error = path_error(scenario.path, first, last);
     event.nearest = nearest(scenario, first, last);
@@ -107,7 +108,7 @@ void add_switches(const Columns& columns, const Scenario& scenario, double thres
     const std::size_t outside = columns.settles(threshold, first, last);
     const std::size_t for_good = columns.settles(threshold, first, next);
     event.settled = columns.time[std::min(for_good, columns.rows() - 1)] - event.time;
-    std::size_t judged = last;  // rows whose distance from the path counts
+    std::size_t judged = last;  // end of the rows that path_error and nearest refer to
     if (outside < last) {
       event.outcome = outside == first ? EventOutcome::kAlreadyThere : EventOutcome::kReached;
       event.reached = columns.time[outside] - event.time;

@@ -12,15 +12,15 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kToleranceRoom = 1.05;     // beside the rollout's own largest distance from the path
-constexpr double kClearanceRoom = 1e-6;     // m, below the rollout's own least distance from obstacles
-constexpr double kLongestInterval = 0.025;  // s, of a lap's grid
-// s, where the targets switch during the lap: what its error is then made of takes tens of milliseconds.
+constexpr double kToleranceRoom = 1.05;     // a plan's path tolerance relative to the rollout's path error
+constexpr double kClearanceRoom = 1e-6;     // m, subtracted from the rollout's least distance from obstacles
+constexpr double kLongestInterval = 0.025;  // s, longest interval of a lap's time grid
+// s, the same if the target switches during the lap. The error then comes from motions of tens of ms.
 constexpr double kLongestWithSwitch = 0.0125;
-constexpr double kAtOnce = 1.001;       // times the shortest duration of a plan
+constexpr double kAtOnce = 1.001;       // plans up to this many times the shortest duration count as 0 s
 constexpr double kShortestHold = 0.02;  // s
 
-/// The longest interval of a lap's grid [s].
+/// Returns the longest interval of a lap's time grid [s].
 double lap_interval(const Event& event, const Scenario& scenario) {
   return scenario.next_switch(event.time) < event.end ? kLongestWithSwitch : kLongestInterval;
 }
@@ -29,7 +29,7 @@ std::string strongest_limit(const PlannedTrajectory& planned) {
   const std::vector<BindingLimit> limits = binding_limits(planned);
   for (const BindingLimit& limit : limits) {
     if (limit.limit == kept_words::kGaze || limit.limit == kept_words::kToolPath)
-      continue;  // what was asked for
+      continue;  // requirements of the task, not limits of the arm
     return limit.limit + " of " + limit.part;
   }
   return {};
@@ -49,7 +49,7 @@ MeasureStatus status_of(PlanStatus status) {
   return MeasureStatus::kNotSolved;
 }
 
-/// One plan for the event, with status, limit and what holds it back.
+/// Makes one plan for the event. Returns its status, its limit and the strongest active limit of the arm.
 Measure planned_measure(const PlanTask& task, const Event& event, const PlanObserver& observer) {
   Measure found;
   found.scenario = task.scenario.name;
@@ -61,7 +61,7 @@ Measure planned_measure(const PlanTask& task, const Event& event, const PlanObse
     problem = plan_problem(task);
   } catch (const OutOfReach&) {
     if (!event.position.allFinite() || !event.velocity.allFinite()) throw;
-    found.status = MeasureStatus::kInfeasible;  // the path is where the arm cannot be
+    found.status = MeasureStatus::kInfeasible;  // the arm cannot reach the path
     found.held_back_by = "reach of the arm";
     return found;
   }
@@ -76,7 +76,7 @@ Measure planned_measure(const PlanTask& task, const Event& event, const PlanObse
   }
   found.limit = planned.trajectory.durations.front();
   if (found.limit <= kAtOnce * problem.grid.phases.front().shortest) {
-    found.limit = 0.0;  // as short as a grid may be: it is there to begin with
+    found.limit = 0.0;  // the shortest duration of the grid: the goal is met from the start
     found.status = MeasureStatus::kThereAtOnce;
     found.held_back_by.clear();
   }
@@ -124,14 +124,15 @@ PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOp
   task.knots = options.knots;
   if (options.clearance > 0.0 && !scenario.obstacles.empty())
     task.clearance = std::max(0.0, std::min(options.clearance, event.nearest - kClearanceRoom));
-  // How near the run itself came to obstacles is known of joints' origins and links as lines, not of shapes.
+  // The rollout's distance from obstacles (event.nearest) is measured at the tool and the joint origins, so
+  // the plan does not check the shapes of the links against obstacles either.
   if (scenario.clearance)
     task.scenario.clearance = std::make_shared<const ClearanceModel>(scenario.clearance->without_obstacles());
   switch (event.kind) {
     case EventKind::kSwitch:
       task.kind = PlanKind::kSwitch;
       task.hold = kSwitchHold;
-      // No longer than the controller itself was still to stay on target.
+      // The plan need not stay on target beyond the end of the controller's event.
       if (event.outcome == EventOutcome::kReached)
         task.hold = std::clamp(event.end - event.time - event.reached, kShortestHold, kSwitchHold);
       break;
@@ -164,7 +165,7 @@ double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Traject
 Measure measure(const Event& event, const Scenario& scenario, const YardstickOptions& options,
                 const PlanObserver& observer) {
   if (event.kind == EventKind::kSwitch && event.gaze < options.gaze_threshold) {
-    // However long the controller took: nobody has to move to be there.
+    // The gaze is on target from the start, so the limit is 0, however long the controller took.
     Measure found;
     found.scenario = scenario.name;
     found.event = event;

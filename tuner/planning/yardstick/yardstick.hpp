@@ -1,6 +1,7 @@
 #pragma once
-// The yardstick compares a controller with the best motion that the arm's limits allow. For each event of a
-// rollout, such as a lap of the path, it plans the best motion from the same state of the arm.
+// Compares a controller with the best motion that the arm's limits allow (`armtune yardstick`). For each
+// event of a rollout (a simulation of the controlled arm), such as a lap of the path, the best motion from
+// the same state of the arm is planned.
 
 #include "tuner/planning/tasks/plan_task.hpp"
 #include "tuner/planning/transcription/refining_solver.hpp"
@@ -9,17 +10,18 @@
 namespace armtune::internal {
 
 struct YardstickOptions {
-  double velocity = 1.0;  ///< shares of the arm's limits
-  double effort = 1.0;
-  double gaze_threshold = 0.15;  ///< [rad]
-  /// Path tolerance in the plan of a target switch [m]. It is wider if the rollout itself is farther from the
-  /// path during the event.
+  double velocity = 1.0;         ///< share of the arm's velocity limits that the plans may use
+  double effort = 1.0;           ///< share of the arm's effort limits that the plans may use
+  double gaze_threshold = 0.15;  ///< gaze angle below which a target is acquired [rad]
+  /// Path tolerance in the plan of a target switch [m]. A plan gets a wider tolerance if the rollout itself
+  /// is farther from the path during the event.
   double path_tolerance = 1e-3;
   /// Distance that the plan keeps between the surface of every obstacle and the tool and joint origins [m].
-  /// 0: no distance is kept. It is smaller if the rollout itself comes nearer during the event.
+  /// 0: no distance is kept. A plan keeps a smaller distance if the rollout itself comes nearer during the
+  /// event.
   double clearance = 0.0;
-  /// Number of knots of each plan. The plan of a lap has more if an interval would otherwise be longer than
-  /// 25 ms (12.5 ms if the gaze switches to another target during the lap).
+  /// Number of intervals of each plan's time grid. The plan of a lap has more if an interval would otherwise
+  /// be longer than 25 ms (12.5 ms if the gaze switches to another target during the lap).
   int knots = 120;
 };
 
@@ -28,7 +30,7 @@ struct YardstickOptions {
 enum class MeasureStatus {
   kSolved,
   kWithoutClearance,  ///< solved, but only with the obstacles left out
-  kPastNextSwitch,    ///< solved, but even the best plan gets there only after the targets switch again
+  kPastNextSwitch,    ///< solved, but even the best plan reaches the target only after the next switch
   kThereAtOnce,       ///< limit 0: gaze within its threshold, or tool on its path, from the beginning
   kInfeasible,
   kNotSolved,
@@ -53,17 +55,18 @@ struct Measure {
 PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOptions& options);
 
 /// Returns the rms of the gaze angle of a motion over the given times [rad]. For a lap these are the times of
-/// the rollout's rows, so that the values of plan and rollout are means over the same times.
+/// the rollout's rows. The values of plan and rollout are then means over the same times.
 double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Trajectory& trajectory,
                 const std::vector<double>& times);
 
-/// Plans the best motion for an event, and returns the value that this motion reaches as the event's limit.
+/// Plans the best motion for an event. Returns the value that this motion reaches, which is the event's
+/// limit. If no plan keeps its distance from the obstacles, the plan is made without them.
 Measure measure(const Event& event, const Scenario& scenario, const YardstickOptions& options,
                 const PlanObserver& observer);
 
-/// Returns the limit (see MeasureStatus) of that target switch of the scenario that took the controller
-/// longest [s]. The controller's time for this switch is the metric reacquisition/time. NaN if the switch has
-/// no limit, or if there is no switch.
+/// Returns the limit (see MeasureStatus) of one target switch of the scenario: the one that took the
+/// controller longest [s]. The controller's time for this switch is the metric reacquisition/time. Returns
+/// NaN if the switch has no limit, or if there is no switch.
 double reacquisition_limit(const std::vector<Measure>& measures, const std::string& scenario);
 
 }  // namespace armtune::internal

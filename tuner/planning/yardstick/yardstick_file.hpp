@@ -7,7 +7,8 @@
 
 namespace armtune::internal {
 
-/// Returns the text of yardstick.csv. Numbers read back to the same bits; a missing value is an empty cell.
+/// Returns the text of yardstick.csv. Numbers have all digits that are needed to read back the same value. A
+/// missing value is an empty cell.
 std::string yardstick_csv(const std::vector<Measure>& measures);
 
 /// Returns name, unit and meaning of every column of yardstick.csv.
