@@ -1,8 +1,9 @@
-// What each option of the controller is worth: published, each option alone, all together, all tuned, and all
-// tuned with each option taken away, over the ideal and the realistic scenarios and one with a noisy camera.
-// Every comparison is of two gain sets in the same scenario, with the same noise, from the same theta: once
-// from the one that the scenario names, once from the identified one. What the identified theta gives by
-// itself is printed apart. Then the factors asked of the tuned law, one by one.
+// Measures the effect of each option of the controller. The variants are the published law, each option
+// alone, all options together, all tuned, and all tuned without each option. They run in the ideal and the
+// realistic scenarios, and in one with a noisy camera. Every comparison is of two gain sets in the same
+// scenario, with the same noise and the same initial theta: once theta of the scenario, once the identified
+// theta. The effect of the identified theta alone is printed separately. The required factors of the tuned
+// law follow.
 
 #include <fmt/format.h>
 
@@ -24,11 +25,11 @@ namespace {
 
 using namespace armtune::internal;
 
-/// At least, or for a bound at most.
+/// A required improvement. A factor below 1 bounds how much worse the metric may become.
 struct Demand {
   std::size_t first_scenario, last_scenario;
   Metric metric;
-  double factor;  ///< published / now must reach it
+  double factor;  ///< lowest allowed published / now
 };
 
 const std::vector<Demand>& demands() {
@@ -45,8 +46,8 @@ const std::vector<Demand>& demands() {
 }
 constexpr double kLargestVelocityRatio = 0.9;
 
-/// Geometric mean over scenarios first .. last of published / variant at the same theta; NaN where a rollout
-/// did not complete.
+/// Returns the geometric mean over scenarios first .. last of published / variant at the same theta; NaN if a
+/// rollout did not complete.
 double mean_factor(const Results& results, std::size_t v, Theta theta, Metric m, std::size_t first,
                    std::size_t last) {
   double sum = 0.0;
@@ -101,7 +102,7 @@ void print_ablation(const std::vector<Variant>& all, const Results& results, The
 
 constexpr std::array kTableMetrics = {Metric::kOrientationMax, Metric::kPositionMax};
 
-/// The comparison as docs/comparisons.md has it: what the law gives from either theta, and what theta gives.
+/// Returns the tables of docs/comparisons.md: the effect of the law for either theta, and that of theta.
 std::string table(const Results& results, std::size_t tuned) {
   std::string text =
       "| scenario | theta of both | error | published | extended, tuned | times smaller "
@@ -141,7 +142,7 @@ void print_demand(std::size_t s, const char* what, double before, double now, co
              asked, met ? "" : "  missed");
 }
 
-/// One line per demand and scenario, both gain sets from identified theta; how many are missed.
+/// Prints one line per demand and scenario, for the identified theta. Returns the number of missed demands.
 int print_demands(const std::vector<RolloutResult>& published, const std::vector<RolloutResult>& tuned) {
   int missed = 0;
   const auto completed = [&](std::size_t s) { return tuned[s].status == RolloutStatus::kCompleted; };

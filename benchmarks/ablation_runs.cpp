@@ -34,7 +34,7 @@ const std::vector<Option>& options() {
   return all;
 }
 
-/// `to` with one option's fields as they are in `from`.
+/// Returns `to` with the fields of one option copied from `from`.
 Gains with_option(Gains to, const Gains& from, const Option& option) {
   for (const GainField& field : gain_fields()) {
     if (std::find(option.fields.begin(), option.fields.end(), field.name) == option.fields.end()) continue;

@@ -1,7 +1,7 @@
-// Compares what keeps the adaptation bounded under measurement noise, and what it costs: leakage, a dead zone
-// on S, filtered references, and the regressor along the desired motion. For each it gives the errors of the
-// bundled realistic scenarios with unknown payloads, over those of the law without any bound, and what
-// becomes of a long run.
+// Compares methods that keep the adaptation bounded under measurement noise, and their cost: leakage, a dead
+// zone on S, filtered references, and the regressor along the desired motion. For each it prints the errors
+// in the bundled realistic scenarios with unknown payloads, relative to those of the law without any bound,
+// and the result of a long run.
 
 #include <fmt/format.h>
 
@@ -31,9 +31,9 @@ using namespace armtune::internal;
 /// How a compared law forms Y and S of its adaptation; the torque is that of the adaptive law.
 enum class Bound { kDeadZone, kDesired };
 
-/// The adaptive law with a bound that armtune's own does not offer: a dead zone on S, or Y along the desired
-/// motion (Sadegh and Horowitz 1990), the references without feedback. States that track joints keep the
-/// measured motion.
+/// The adaptive law with a bound that armtune's own law does not offer: a dead zone on S, or Y along the
+/// desired motion, with references without feedback (Sadegh and Horowitz 1990). In states that track joints,
+/// Y uses the measured motion.
 class ComparedLaw final : public TorqueLaw {
  public:
   ComparedLaw(const LawSetup& setup, Bound bound, double size)
@@ -82,7 +82,7 @@ class ComparedLaw final : public TorqueLaw {
   const Gains& gains_;
   double period_;
   Bound bound_;
-  double size_;  ///< of the dead zone [rad/s]
+  double size_;  ///< half-width of the dead zone [rad/s]
   Adaptation adaptation_;
   SlotineLi along_, error_;
   JointReference desired_;
@@ -110,7 +110,7 @@ std::vector<Variant> variants(Gains gains) {
   gains.adaptation_filter = 0.0;
   gains.adaptation_leakage = 0.0;
   gains.adaptation_inertia_leakage = 0.0;
-  gains.roll_centering_gain = 0.1;  // of all: without it the last joint winds up before theta has drifted far
+  gains.roll_centering_gain = 0.1;  // otherwise the last joint winds up before theta has drifted far
   std::vector<Variant> all = {{"no bound (projection alone)", gains}};
   Gains still = gains;
   still.adaptation_gain = 0.0;
@@ -194,7 +194,7 @@ int main(int argc, char** argv) {
   app.add_option("--workers", workers, "threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
-    constexpr double kNoise = 0.01;  // rad/s, of the realistic scenarios
+    constexpr double kNoise = 0.01;  // velocity noise of the realistic scenarios [rad/s]
     for (const double sigmas : {1.0, 3.0}) {
       register_controller(compared(fmt::format("dead_zone_{}", sigmas), Bound::kDeadZone, sigmas * kNoise));
     }

@@ -1,5 +1,6 @@
-// What a cell costs: rollouts of one arm in armtune's own dynamics without a cell, and with the distances of
-// its links from each other, from the floor and from two parts at rest and a moving one. Measured in turn.
+// Measures the cost of a cell. It compares rollouts of one arm in armtune's own dynamics without a cell, and
+// with the distances of its links from each other, from the floor, from two parts at rest and from a moving
+// part. The two are measured in turn.
 
 #include <fmt/format.h>
 
@@ -22,7 +23,7 @@ CellPart part(const char* name, const Solid& solid, const Vec3& center) {
   return {name, solid, Mat3::Identity(), Path{center, 0.0, 0.0, {}}};
 }
 
-/// A table below the task, a post beside it and a ball that passes.
+/// Returns a cell with a table below the task, a post beside it and a ball that passes.
 Cell cell_about(const Vec3& center) {
   Cell cell;
   cell.floor = 0.0;

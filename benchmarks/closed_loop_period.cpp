@@ -1,6 +1,7 @@
-// What a whole closed-loop control period costs beside the two bare Simbody accelerations that the midpoint
-// stepper needs: sensors, state machine, controller with adaptation, rotor inertia, friction, metrics are the
-// difference. Measured in turn, block by block, so that the ratio holds on a noisy machine.
+// Compares the time of a whole closed-loop control period with that of the two bare Simbody accelerations
+// that the midpoint stepper needs. Sensors, state machine, controller with adaptation, rotor inertia,
+// friction and metrics make the difference. The two are measured in turn, so that the ratio is reliable on a
+// noisy machine.
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ double seconds_since(Clock::time_point began) {
   return std::chrono::duration<double>(Clock::now() - began).count();
 }
 
-/// Seconds per bare acceleration: no rotor inertia and no friction leave Simbody's realization alone.
+/// Measures bare accelerations. Without rotor inertia and friction they are Simbody's realization alone.
 class BareAcceleration {
  public:
   explicit BareAcceleration(RobotModel model) : n_(model.n()) {
@@ -37,6 +38,7 @@ class BareAcceleration {
     plant_ = make_simbody_plant(model, Stepper::kMidpoint);
   }
 
+  /// Returns the seconds per acceleration.
   double measure(int count) {
     std::mt19937 generator(1);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -48,7 +50,7 @@ class BareAcceleration {
     }
     const auto began = Clock::now();
     for (int k = 0; k < count; ++k) {
-      q[k % n_] += 1e-4;  // a new configuration, so that nothing cached serves twice
+      q[k % n_] += 1e-4;  // a new configuration, so that no cached result is used
       plant_->accelerations(q, qd, torque, qdd);
       sink_ += qdd[0];
     }

@@ -1,7 +1,7 @@
-// Measures what ending rollouts early saves: the same study, seed and budget in the native engine, with
-// nothing ended early, and with what is beyond repair ended, as the study says. Simulated seconds are free of
-// noise; processor seconds stand beside them. The search sees other values at points beyond repair and may
-// take another way.
+// Measures what ending rollouts early saves. The same study, seed and budget run in the native engine, first
+// with no rollout ended early, then with hopeless rollouts ended as the study says. Simulated seconds are
+// free of noise; processor seconds are printed beside them. The search sees other values at hopeless points
+// and may take another path.
 //
 // Usage: benchmark_early_end [STUDY [ALGORITHM [EVALUATIONS [SEED]]]]
 
@@ -21,7 +21,7 @@ namespace {
 
 struct Outcome {
   long evaluations = 0;
-  long hopeless = 0;       ///< evaluations with a rollout that ended beyond repair
+  long hopeless = 0;       ///< evaluations with a rollout that ended as hopeless
   double simulated = 0.0;  ///< [s]
   double processor = 0.0;  ///< [s]
   Evaluation best;
@@ -33,7 +33,7 @@ bool any(const Evaluation& e, RolloutStatus status) {
 }
 
 Outcome run(const Study& study) {
-  constexpr int kWorkers = 1;  // times are compared
+  constexpr int kWorkers = 1;  // one worker, because times are compared
   CandidateRunner workers(study.scenarios, study.stepper, kWorkers, study.robust);
   const std::atomic<bool> never{false};
   Outcome outcome;

@@ -1,5 +1,5 @@
-// A fixed piece of work for an instruction counter: one rollout of the published gains, nothing else.
-// Twice with different durations, the difference is what the control periods between them cost.
+// Runs a fixed piece of work for an instruction counter: one rollout of the published gains, nothing else.
+// The difference between two runs of different durations is the cost of the additional control periods.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace armtune::internal;
 
-/// Two arms side by side with the kernels that every processor has.
+/// Runs two arms side by side, with the kernels that every processor supports.
 int run_lanes(const Scenario& scenario, const Gains& gains) {
   const auto prepared = std::make_shared<const PreparedScenario>(scenario);
   RolloutLanes lanes(lane_kind(scenario, Stepper::kMidpoint, scenario.obstacles.size()), 2, Processor::kAny);

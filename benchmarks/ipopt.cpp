@@ -1,7 +1,8 @@
 // Compares the planner's own solver with Ipopt on the bundled planning tasks and on random ones. Both get the
-// same TrajectoryProgram on the same grid, the same first guess, the same Jacobians and Hessians, and about
-// the same tolerances; times are of the processor, the best of several. `whole` measures solve_plan instead,
-// by way of coarse grids: benchmark_ipopt_inside is the same program with Ipopt in the solver's place.
+// same TrajectoryProgram on the same grid, the same initial guess, the same Jacobians and Hessians, and about
+// the same tolerances. Times are processor times, the best of several runs. With `whole`, it measures
+// solve_plan instead, which begins on coarse grids. benchmark_ipopt_inside is the same program with Ipopt in
+// place of the planner's solver.
 
 #include <fmt/format.h>
 
@@ -27,9 +28,9 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double kMostSeconds = 60.0;  // for one solve
-constexpr double kSame = 1e-4;         // optima that count as equal, relative
-constexpr double kNought = 1e-2;       // to their value, or to this where that is smaller
-constexpr double kKept = 1e-6;         // violation of a limit, relative to it, that counts as none
+constexpr double kSame = 1e-4;         // largest relative difference of optima that count as equal
+constexpr double kNought = 1e-2;       // least value to which that difference is relative
+constexpr double kKept = 1e-6;         // largest violation, relative to the limit, that counts as none
 
 double processor_seconds() {
   timespec now{};
@@ -68,7 +69,7 @@ PlanObserver until_late() {
   };
 }
 
-/// The best time of several runs, which end alike.
+/// Returns the outcome of several runs that end alike, with the shortest of their times.
 Outcome best_of(int repeats, const std::function<Outcome()>& run) {
   Outcome best;
   for (int repeat = 0; repeat < repeats; ++repeat) {
@@ -86,7 +87,7 @@ constexpr const char* kSolver = "Ipopt in the solver's place";
 #else
 constexpr const char* kSolver = "our solver";
 
-/// Objective and largest violation at z, whoever found it.
+/// Computes objective and largest violation at z, in the same way for both solvers.
 void judge(TrajectoryProgram& program, const VectorXd& z, Outcome& outcome) {
   VectorXd residual, row;
   program.evaluate(z, residual, row);
@@ -96,10 +97,10 @@ void judge(TrajectoryProgram& program, const VectorXd& z, Outcome& outcome) {
     outcome.violation = std::max(outcome.violation, violation(program.bounds, i, row[i]));
 }
 
-/// What two solvers made of many tasks.
+/// Compares the results of two solvers on many tasks.
 struct Score {
   int tasks = 0, ours = 0, theirs = 0, both = 0, same = 0, better = 0, worse = 0;
-  double our_seconds = 0.0, their_seconds = 0.0;  ///< of tasks that both solved
+  double our_seconds = 0.0, their_seconds = 0.0;  ///< sums over tasks that both solved
   std::vector<double> ratios;
 
   void add(const Outcome& us, const Outcome& them) {
@@ -187,7 +188,7 @@ void measure_whole(const std::string& name, const PlanProblem& problem, int repe
 }
 
 int run(bool whole, int random_tasks, int repeats, std::uint64_t seed) {
-  constexpr int kKnots = 60;  // of a random task
+  constexpr int kKnots = 60;  // knots of a random task
   std::vector<RandomPlan> plans;
   for (const char* name : {"ur10_clear_of_obstacles", "ur10_fastest_circle", "ur10_lap",
                            "ur10_least_gaze_error", "ur10_move", "ur10_return", "ur10_switch"}) {

@@ -1,5 +1,5 @@
-// Ipopt in the place of the planner's own solver: this definition of `solve` comes before the library's when
-// the program is linked.
+// Replaces the planner's own solver by Ipopt: the linker takes this definition of `solve` in place of the
+// library's.
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ SequentialQuadraticResult solve(NonlinearProgram& program, Eigen::VectorXd z, Ei
   asked.max_seconds = 60.0;
   asked.stationarity = options.stationarity;
   asked.violation = options.violation;
-  asked.complementarity = 1e-3 * options.complementarity;  // of one pair, not their sum
+  asked.complementarity = 1e-3 * options.complementarity;  // Ipopt's is of one pair, the planner's of the sum
   IpoptRun run = solve_by_ipopt(program, z, multipliers, asked);
   result.status = run.status;
   result.z = std::move(run.z);

@@ -1,4 +1,4 @@
-// Every kernel that runs in a control period, and whole periods, on the bundled UR10.
+// Measures every kernel that runs in a control period, and whole periods, on the bundled UR10.
 
 #include <benchmark/benchmark.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace armtune::internal;
 
-/// A random state of the UR10 and what the kernels need of it.
+/// A random state of the UR10, and the quantities that the kernels need.
 struct Fixture {
   Scenario scenario = load_scenario("obstacle_pass");
   const Chain& chain = scenario.robot->chain;
@@ -131,7 +131,7 @@ void controller_update(benchmark::State& state) {
 }
 BENCHMARK(controller_update);
 
-/// Sensors, controller, two accelerations and metrics of rollouts side by side; items are arms.
+/// Measures sensors, controller, two accelerations and metrics of rollouts side by side. Items are arms.
 void native_period(benchmark::State& state) {
   Scenario scenario = load_scenario("moving_target");
   scenario.duration = 1e6;

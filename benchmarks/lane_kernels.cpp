@@ -1,5 +1,6 @@
-// The kernels of core with a pack of four in AVX2 registers for a scalar, on four UR10s in other states: as
-// sim/lanes/avx2_lanes.cpp has them. items_per_second counts arms.
+// Measures the kernels of core with packs in place of scalars, as sim/lanes/avx2_lanes.cpp uses them. A pack
+// is an AVX2 register with four numbers, one for each of four UR10s in different states. items_per_second
+// counts arms.
 
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
-// Closed-loop rollouts in armtune's own dynamics: how many times real time one processor simulates, one arm
-// alone and several side by side, each the same to the bit. Measured in turn, block by block.
+// Measures closed-loop rollouts in armtune's own dynamics: how many times faster than real time one processor
+// simulates one arm alone, and several side by side with bit-identical results. Measured in turn.
 
 #include <fmt/format.h>
 

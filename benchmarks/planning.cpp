@@ -1,6 +1,6 @@
-// How the time of a plan grows with its knots: a UR10 target switch with the least time, on grids of 200 to
-// 20,000 knots, each with all its coarser grids; prints the exponent from each grid to the next, and that of
-// a least squares line through the logarithms.
+// Measures how the time of planning grows with the number of knots. It plans a UR10 target switch in the
+// least time on grids of 200 to 20,000 knots, each with all its coarser grids. It prints the exponent from
+// each grid to the next, and that of a least-squares line through the logarithms.
 
 #include <fmt/format.h>
 

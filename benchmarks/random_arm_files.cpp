@@ -1,5 +1,5 @@
-// Writes arms made at random as robot files, for scripts/check-arms: FOLDER/random_K.urdf and .yaml, the
-// latter with what a URDF does not hold. Usage: benchmark_random_arms COUNT FOLDER
+// Writes random arms as robot files for scripts/check-arms: FOLDER/random_K.urdf, and FOLDER/random_K.yaml
+// with the data that a URDF cannot contain. Usage: benchmark_random_arms COUNT FOLDER
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ void write(const std::string& path, const std::string& text) {
   }
 }
 
-/// Five to seven joints, every other arm with sliding ones.
+/// Returns arm number k, with five to seven joints. Every other arm has prismatic joints.
 RobotModel arm_of(unsigned k) {
   return armtune::internal::test::random_arm(5 + static_cast<int>(k % 3), 1000 + k, k % 2 == 1);
 }

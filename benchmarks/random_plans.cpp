@@ -18,11 +18,11 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kReach = 2.0;         // of the joints' ranges about their middle [rad]
-constexpr double kWithin = 0.9;        // of the ranges
-constexpr double kAllowed = 1e-6;      // violation at the ends
-constexpr double kAcceleration = 0.1;  // s from rest to the velocity limit, at least; at most thrice that
-constexpr double kJerk = 0.05;         // s to the acceleration limit
+constexpr double kReach = 2.0;         // largest distance from the middle of a joint's range [rad, m]
+constexpr double kWithin = 0.9;        // largest share of a joint's range
+constexpr double kAllowed = 1e-6;      // allowed violation at the ends
+constexpr double kAcceleration = 0.1;  // least time from rest to the velocity limit [s]; at most thrice that
+constexpr double kJerk = 0.05;         // least time to the acceleration limit [s]; at most thrice that
 
 struct Kind {
   const char* name;
@@ -30,7 +30,7 @@ struct Kind {
   std::vector<const char*> scenarios;
 };
 
-/// In turn: every kind gets the same number of tasks.
+/// Returns the kinds of tasks. They are drawn in turn, so every kind gets the same number of tasks.
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
       {"move", PlanKind::kMove, {"moving_target", "panda_moving_target", "youbot_moving_target"}},
@@ -59,7 +59,7 @@ JointVector draw_position(const RobotModel& robot, std::mt19937_64& random) {
   return q;
 }
 
-/// The scenario's own start with every joint moved a little.
+/// Returns `from` with every joint moved by up to `by` [rad, m], within its position limits.
 JointVector draw_near(const RobotModel& robot, const JointVector& from, double by, std::mt19937_64& random) {
   JointVector q = from;
   for (int i = 0; i < robot.n(); ++i) {
@@ -113,7 +113,7 @@ PlanTask draw_task(const Kind& kind, int knots, std::mt19937_64& random) {
   return task;
 }
 
-/// Whether the guess's first and last knots keep what limits positions there.
+/// Returns true if the first and last knots of the guess keep the position limits and the distances.
 bool ends_within_limits(const PlanProblem& problem) {
   TrajectoryProgram program(problem.task(problem.grid));
   VectorXd residual, row;

@@ -1,5 +1,5 @@
-// How the time of armtune's own simulation grows: with joints, with the length of a scenario, with arms side
-// by side, with threads. One line per point, "curve,x,value"; scripts/plot-speed draws them.
+// Measures how the time of armtune's own simulation grows with joints, with the length of a scenario, with
+// arms side by side and with threads. Prints a line "curve,x,value" per point, for scripts/plot-speed.
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ namespace {
 using namespace armtune::internal;
 using Clock = std::chrono::steady_clock;
 
-/// The least of several runs [s]: what the work takes when nothing else disturbs it.
+/// Returns the shortest time of several runs [s], which is the least disturbed one.
 double least_seconds(int runs, const std::function<void()>& work) {
   double least = 1e300;
   for (int i = 0; i < runs; ++i) {
@@ -37,7 +37,7 @@ double least_seconds(int runs, const std::function<void()>& work) {
   return least;
 }
 
-/// A UR10 cut off after n joints, or gone through once more from its base on.
+/// Returns a UR10 with n joints: cut off after n joints, or continued by its own joints from the base on.
 RobotModel with_joints(const RobotModel& ur10, int n) {
   RobotModel model = ur10;
   model.chain.n = n;
@@ -68,7 +68,7 @@ JointVector repeated(const JointVector& values, int n) {
   return more;
 }
 
-/// Controller and two accelerations at changing states, without sensors, delay and metrics [us].
+/// Measures controller and two accelerations at changing states, without sensors, delay and metrics [us].
 void measure_joints(const Scenario& scenario, const Gains& six) {
   constexpr int kStates = 2000;
   for (int n = 3; n <= kMaxJoints; ++n) {
@@ -79,7 +79,7 @@ void measure_joints(const Scenario& scenario, const Gains& six) {
       gains.*values = repeated(six.*values, n);
     }
     gains.force_control_gains = repeated(six.force_control_gains, n);
-    gains.joint_trajectory_duration = 0.1;  // and then the task's law
+    gains.joint_trajectory_duration = 0.1;  // afterwards the task's law acts
     std::mt19937 generator(1);              // NOLINT: the same states every time are wanted
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     std::vector<JointState> states(kStates);

@@ -1,4 +1,4 @@
-// armtune's own kernels, and whole control periods of closed-loop rollouts.
+// Measures armtune's own kernels, and whole control periods of closed-loop rollouts.
 
 #include <chrono>
 #include <memory>
@@ -38,8 +38,8 @@ struct Arm {
   }
 };
 
-/// Sensors, state machine, controller with adaptation, two accelerations, metrics: 8 s of the scenario
-/// moving_target, nanoseconds a period and arm.
+/// Measures control periods in nanoseconds per period and arm, over 8 s of the scenario moving_target:
+/// sensors, state machine, controller with adaptation, two accelerations and metrics.
 class Periods {
  public:
   Periods() : prepared_(std::make_shared<const PreparedScenario>(eight_seconds())) {

@@ -1,4 +1,4 @@
-// DART: its skeleton alone, without the world's constraint solver.
+// Measures DART's skeleton alone, without the constraint solver of DART's world.
 
 #include <dart/config.hpp>
 #include <dart/dynamics/BodyNode.hpp>
@@ -23,7 +23,7 @@ struct Arm {
 
   explicit Arm(const std::string& urdf) {
     dart::utils::DartLoader loader;
-    // Links without a mass would weigh 1 kg.
+    // DART would give links without a mass 1 kg.
     constexpr double kNothing = 1e-15;
     loader.setOptions(dart::utils::DartLoader::Options(
         nullptr, dart::utils::DartLoader::RootJointType::FIXED,
@@ -48,7 +48,7 @@ void add_rows(const Eigen::MatrixBase<Derived>& A, std::vector<double>& out) {
   }
 }
 
-/// DART's rows are angular first.
+/// Returns J with linear rows first; in DART's Jacobians angular rows are first.
 dart::math::Jacobian linear_first(const dart::math::Jacobian& J) {
   dart::math::Jacobian swapped(6, J.cols());
   swapped.topRows<3>() = J.bottomRows<3>();

@@ -1,4 +1,4 @@
-// Orocos KDL.
+// Measures Orocos KDL.
 
 #include <kdl/config.h>
 #include <kdl/chaindynparam.hpp>
@@ -30,7 +30,7 @@ void add(const KDL::JntArray& v, std::vector<double>& out) {
   for (unsigned i = 0; i < kN; ++i) out.push_back(v(i));
 }
 
-/// Solvers are made for a chain and keep their work space.
+/// A chain, and KDL's solvers for it, which keep their work space.
 struct Arm {
   KDL::Chain chain;
   KDL::Vector gravity{0.0, 0.0, -9.81};

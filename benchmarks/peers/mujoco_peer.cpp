@@ -1,5 +1,5 @@
-// MuJoCo. Contacts, limits and all else that is no rigid body dynamics are switched off; this version has no
-// derivative of the Jacobian, so that `jacobian` is J alone.
+// Measures MuJoCo. Contacts, limits and everything else outside rigid body dynamics are switched off. This
+// version of MuJoCo has no derivative of the Jacobian, so that `jacobian` is J alone.
 
 #include <mujoco/mujoco.h>
 
@@ -24,7 +24,7 @@ struct DeleteVfs {
   }
 };
 
-/// The robot with a `mujoco` element of its own, as MuJoCo's extension of URDF has it.
+/// Loads the robot with an additional element `mujoco`, which is MuJoCo's extension of URDF.
 mjModel* load_with(const std::string& urdf, const std::string& compiler) {
   std::ifstream file(urdf);
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -62,8 +62,8 @@ struct Arm {
   explicit Arm(const std::string& urdf) : model(load_with(urdf, "")), data(mj_makeData(model)) {
     if (model->nv != kN) throw std::runtime_error("not six joints: " + urdf);
     last = mj_name2id(model, mjOBJ_BODY, "wrist_3_link");
-    // Links without joints are merged into those that carry them; where the tool was is asked of a model in
-    // which they are not.
+    // MuJoCo merges links without joints into the links that carry them. The pose of the tool is therefore
+    // read from a second model, in which they are not merged.
     mjModel* whole = load_with(urdf, "fusestatic=\"false\"");
     const int tool = mj_name2id(whole, mjOBJ_BODY, "tool0");
     if (last < 0 || tool < 0) throw std::runtime_error("no wrist_3_link and tool0");

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kBatches = 15;
 
-/// Uniform, the same with every standard library.
+/// Returns uniformly distributed states, which are the same with every standard library.
 std::vector<State> random_states(std::size_t count) {
   std::mt19937_64 bits(20240229);  // NOLINT: the same states every time are wanted
   const auto uniform = [&bits](double most) {
@@ -41,7 +41,7 @@ void print_results(const Peer& peer) {
   }
 }
 
-/// The least of several batches: what the work takes when nothing else disturbs it.
+/// Returns the shortest time per call of several batches, which is that of the least disturbed batch.
 double nanoseconds(const Kernel& kernel, const std::vector<State>& states) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kBatch(20);

@@ -1,4 +1,5 @@
-// Simbody, on the tree that armtune's plant makes of the robot. Compiled as C++17 without NDEBUG, as that is.
+// Measures Simbody, on the same tree of bodies as armtune's Simbody plant makes. Compiled as C++17 without
+// NDEBUG, like that plant.
 
 #include <functional>  // Simbody's headers use it without including it
 

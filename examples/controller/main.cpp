@@ -1,7 +1,7 @@
-// A controller that armtune does not have, tuned by everything armtune has: sliding mode control with a
-// boundary layer (Slotine and Li, Applied Nonlinear Control, section 7.2),
-//   tau = Y theta - rho tanh(S / phi),
-// that holds S at zero against whatever the model does not know, up to rho.
+// Builds armtune's program with one more controller: sliding mode control with a boundary layer (Slotine and
+// Li, Applied Nonlinear Control, section 7.2),
+//   tau = Y theta - rho tanh(S / phi).
+// It keeps S near zero despite torques of up to rho that the model does not explain.
 
 #include <armtune/controller.hpp>
 #include <armtune/program.hpp>
@@ -18,7 +18,7 @@ class SlidingMode final : public armtune::Law {
   explicit SlidingMode(const armtune::LawSetup& setup)
       : rho_(numbers(setup, "rho")), phi_(numbers(setup, "phi")) {}
 
-  // Once per control period; nothing here may allocate.
+  // Called once per control period. It must not allocate memory.
   void torque(const armtune::LawState& state, Eigen::Ref<Eigen::VectorXd> tau) override {
     state.model_torque(state.reference_velocity(), state.reference_acceleration(), tau);
     tau.array() -= rho_.array() * (state.sliding().array() / phi_.array()).tanh();
@@ -32,9 +32,9 @@ armtune::ControllerKind sliding_mode() {
   armtune::ControllerKind kind;
   kind.name = "sliding_mode";
   kind.meaning = "sliding mode with a boundary layer: Y theta - rho tanh(S / phi)";
-  // Of armtune's own gains, those of the Cartesian references qr' and qr''.
+  // The gains of armtune that this controller uses: those of the Cartesian references qr' and qr''.
   kind.uses = {"task_space_gains_p", "task_space_gains_i"};
-  // Files, --help, search space, journal and report know them from here.
+  // The controller's own gains. Files, --help, search space, journal and report take them from this list.
   constexpr auto kJoints = armtune::GainShape::kJoints;
   kind.own = {{kJoints, "rho", "N m", "most torque against what the model does not know", 30.0},
               {.shape = kJoints,
@@ -45,7 +45,8 @@ armtune::ControllerKind sliding_mode() {
                .positive = true,
                .in_loop = false}};
   kind.make = [](const armtune::LawSetup& setup) { return std::make_unique<SlidingMode>(setup); };
-  // Where a search begins: a share of what the motors can do, with a slope that every joint's inertia stands.
+  // The start gains of a search: a share of the effort limits, and a slope rho / phi in proportion to the
+  // inertia of each joint.
   kind.start = [](const armtune::Robot& robot, std::span<const double> q, armtune::Gains& gains) {
     const std::vector<double> inertia = armtune::joint_inertia(robot, q);
     const std::vector<double> effort = robot.effort_limits();

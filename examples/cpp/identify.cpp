@@ -1,5 +1,5 @@
-// Identifies an arm from logs of its motion and prints how well the logs are explained:   identify ROBOT
-// LOG...
+// Identifies an arm from logs of its motion and prints how well the result explains them.
+// Usage:   identify ROBOT LOG...
 #include <armtune/error.hpp>
 #include <armtune/identify.hpp>
 #include <iostream>

@@ -1,4 +1,4 @@
-// Plans the fastest motion of a task and prints what holds it back:   plan [TASK]
+// Plans the fastest motion of a task and prints the limits that restrict it:   plan [TASK]
 #include <armtune/error.hpp>
 #include <armtune/plan.hpp>
 #include <iostream>

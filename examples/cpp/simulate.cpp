@@ -1,4 +1,4 @@
-// Simulates a task under gains and prints its errors:   simulate [SCENARIO [GAINS]]
+// Simulates a task with gains and prints its errors:   simulate [SCENARIO [GAINS]]
 #include <armtune/error.hpp>
 #include <armtune/rollout.hpp>
 #include <iostream>

@@ -13,7 +13,7 @@ constraints: [{metric: joint_velocity/max_ratio, at_most: 0.9}]
 search: {algorithm: BOBYQA, max_evaluations: 15, engine: native}
 )");
   armtune::TuneOptions options;
-  options.analysis = false;  // true: margins, random arms and hours of work are checked too
+  options.analysis = false;  // true: also computes margins, sensitivity, yield and endurance
   options.watch.progress = [](const armtune::Progress& p) { std::cerr << p.done << " of " << p.all << "\n"; };
   const armtune::Tuned tuned = armtune::tune(study, options);
   tuned.best.save(argc > 1 ? argv[1] : "gains.yaml");

@@ -11,7 +11,8 @@
 import os as _os
 import pathlib as _pathlib
 
-# The bundled data of a build folder (python/armtune/ in it) or of a prefix (lib/python3/dist-packages/armtune/).
+# Finds the bundled data (share/armtune) in a build folder, where this file is in python/armtune/, or below a
+# prefix, where it is in lib/python3/dist-packages/armtune/.
 for _above in _pathlib.Path(__file__).absolute().parents[2:5:2]:
     if (_above / "share" / "armtune").is_dir():
         _os.environ.setdefault("ARMTUNE_DATA", str(_above / "share" / "armtune"))
