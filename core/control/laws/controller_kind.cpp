@@ -18,19 +18,20 @@
 #include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_pd_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
+#include "core/control/laws/position_streaming_law.hpp"
 
 namespace armtune::internal {
 namespace {
 
 struct Registered {
   ControllerKind kind;
-  std::vector<GainField> fields;  ///< all it has
+  std::vector<GainField> fields;  ///< all gains of this kind
 };
 
-/// A deque: what refers to its elements stays.
+/// A deque, so that references to its elements stay valid.
 using Registry = std::deque<Registered>;
 
-/// Gains whose laws do nothing: what a kind does not have must not act.
+/// Returns values without effect, for the gains that a kind of controller does not have.
 Gains without_law() {
   Gains gains;
   gains.interpolation_gain_scale = 1.0;
@@ -117,6 +118,7 @@ Registry& registry() {
     add(cartesian_impedance_controller(), built_in);
     add(joint_trajectory_controller(), built_in);
     add(joint_trajectory_velocity_controller(), built_in);
+    add(position_streaming_controller(), built_in);
     return built_in;
   }();
   return kinds;
@@ -240,13 +242,13 @@ Gains convert_gains(const ControllerKind& kind, const Gains& gains, const RobotM
   const auto uses = [&kind](const char* name) {
     return std::find(kind.uses.begin(), kind.uses.end(), name) != kind.uses.end();
   };
-  // What the other kind did not have.
+  // Set the gains that the previous kind did not have.
   if (uses("task_space_gains_p")) first_references(other);
   if (uses("task_space_gains_d") && other.task_space_gains_d.size() == 0) {
     other.task_space_gains_d = kFirstRate * joint_inertia(robot, q);
   }
   if (uses("task_space_gains_i") && !kind.learns) {
-    // What the model has wrong is left to the integral.
+    // Without adaptation, the integral must correct the errors of the model.
     const Vec6 enough = kFirstIntegralShare * other.task_space_gains_p.cwiseAbs2();
     other.task_space_gains_i = other.task_space_gains_i.cwiseMax(enough);
   }

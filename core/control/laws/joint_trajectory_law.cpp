@@ -7,8 +7,8 @@
 
 #include "core/control/laws/desired_joints.hpp"
 #include "core/control/laws/first_gains.hpp"
+#include "core/control/laws/held_drives.hpp"
 #include "core/control/laws/ros_pid.hpp"
-#include "core/control/laws/velocity_drive.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -34,7 +34,8 @@ class JointTrajectoryLaw final : public TorqueLaw {
         held_by_robot_(setup.model.compensates_gravity),
         period_(setup.period),
         desired_(setup.model.n(), setup.period) {
-    if (setup.gains.controller == kJointTrajectoryVelocityController) drives_.emplace(setup.model);
+    if (setup.gains.controller == kJointTrajectoryVelocityController)
+      drives_.emplace(setup.model, setup.period);
     const JointVector& clamp = jtc_gain(setup.gains, "i_clamp");
     const bool winds_up = jtc_gain(setup.gains, "antiwindup")[0] == 0.0;
     for (int i = 0; i < setup.model.n(); ++i) {
@@ -63,31 +64,23 @@ class JointTrajectoryLaw final : public TorqueLaw {
       command_[i] = feeds_forward_[i] * next[i] +
                     pids_[k].output(gains_[k], error, desired.velocity[i] - in.measured.qd[i], period_);
     }
-    drive(in, tau);
+    if (drives_ ? drives_->need_weight() : held_by_robot_) gravity_torque(in.arm, weight_);
+    if (drives_) {
+      drives_->torque(command_, in.measured.qd, weight_, tau);
+    } else {
+      tau = command_;
+      if (held_by_robot_) tau += weight_;
+    }
   }
 
  private:
-  /// Torques of what is commanded: efforts, or velocities to drives.
-  void drive(const LawInput& in, JointVector& tau) {
-    if (held_by_robot_ || (drives_ && !begun_)) gravity_torque(in.arm, weight_);
-    if (!drives_) {
-      tau = command_;
-    } else {
-      if (!begun_ && !held_by_robot_) drives_->hold(weight_);
-      drives_->torque(command_, in.measured.qd, period_, tau);
-    }
-    begun_ = true;
-    if (held_by_robot_) tau += weight_;
-  }
-
   std::array<RosPidGains, kMaxJoints> gains_{};
   std::array<RosPid, kMaxJoints> pids_{};
   std::array<bool, kMaxJoints> turns_{};  ///< joint without position limits
   JointVector feeds_forward_;
   JointVector command_;  ///< efforts or velocities
-  std::optional<VelocityDrives> drives_;
-  bool begun_ = false;  ///< there was a period before
-  bool held_by_robot_;  ///< its weight, as its own model has it
+  std::optional<HeldDrives> drives_;
+  bool held_by_robot_;  ///< the robot itself compensates gravity
   JointVector weight_;
   double period_;
   DesiredJoints desired_;

@@ -45,12 +45,12 @@ ControllerKind named(const char* name) {
 TEST(ControllerKind, OfArmtuneAreEight) {
   std::vector<std::string> names;
   for (const ControllerKind* kind : controller_kinds()) names.push_back(kind->name);
-  ASSERT_GE(names.size(), 8U);
-  names.resize(8);
+  ASSERT_GE(names.size(), 9U);
+  names.resize(9);
   EXPECT_THAT(names,
               testing::ElementsAre("adaptive", "joint_pd", "computed_torque", "impedance", "joint_impedance",
                                    "cartesian_impedance", "joint_trajectory_controller",
-                                   "joint_trajectory_controller_velocity"));
+                                   "joint_trajectory_controller_velocity", "position_streaming"));
 }
 
 TEST(ControllerKind, AdaptiveHasEveryMemberOfGainsInTheirOrder) {

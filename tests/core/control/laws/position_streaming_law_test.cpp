@@ -1,0 +1,92 @@
+#include "core/control/laws/position_streaming_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/control/laws/controller.hpp"
+#include "core/control/laws/velocity_drive.hpp"
+#include "core/robot/dynamics.hpp"
+#include "core/robot/theta.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/core/support/law_period.hpp"
+#include "tests/core/support/one_joint.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using test::Period;
+
+// In the first period the servo is where the arm is, so the drives are commanded to stand still.
+TEST(PositionStreamingLaw, BeginsWithTheTorqueThatHoldsTheArm) {
+  for (RobotModel model : test::all_arms()) {
+    for (JointInfo& joint : model.joints) joint.limits.effort = 1e6;
+    for (const bool robot_holds : {false, true}) {
+      model.compensates_gravity = robot_holds;
+      Period p(model, "position_streaming", 61);
+      JointVector weight;
+      gravity_torque(model.chain, p.arm.poses, weight);
+      const DriveGains drives = drive_gains(model);
+      const JointVector tau = p.torque();
+      const JointVector expected =
+          weight - (drives.gain + Period::period * drives.integral).cwiseProduct(p.measured.qd);
+      EXPECT_LT((tau - expected).cwiseAbs().maxCoeff(), 1e-9 * (1.0 + tau.cwiseAbs().maxCoeff()))
+          << p.where();
+      EXPECT_GT(weight.norm(), 1e-3);
+    }
+  }
+}
+
+// The same arm, stream, servo and drives once more in a few lines, from beside the motion.
+TEST(PositionStreamingLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration) {
+  RobotModel model = test::pendulum();
+  model.drive_velocity_gain = JointVector::Constant(1, 48.0);
+  model.drive_velocity_integral = JointVector::Constant(1, 700.0);
+  for (const bool robot_holds : {false, true}) {
+    model.compensates_gravity = robot_holds;
+    const auto arm = std::make_shared<const RobotModel>(model);
+    Gains gains = test::one_joint_gains("position_streaming");
+    own(gains, "servo_gain")[0] = 900.0;
+    own(gains, "servo_lookahead_time")[0] = 0.05;
+    own(gains, "servo_stream_period")[0] = 0.008;
+    own(gains, "servo_position_gain")[0] = 12.0;
+    constexpr double kPeriod = 0.002;
+    const JointSpline plan = test::one_joint_plan();
+    Controller controller(arm, gains, theta_of(arm->chain), kPeriod, TaskMask::kPosition);
+    Path path;
+    Scene scene;
+    scene.path = &path;
+    scene.plan = &plan;
+
+    const auto weight = [](double q) { return 3.0 * 9.81 * 0.4 * std::cos(q); };
+    JointState state{JointVector::Constant(1, 0.25), JointVector::Zero(1)};
+    double q = 0.25, qd = 0.0, servo = 0.25, servo_speed = 0.0, commanded = 0.0;
+    double integral = robot_holds ? 0.0 : weight(0.25);
+    for (int k = 0; k < 900; ++k) {
+      const double time = k * kPeriod;
+      const double tau = controller.update(state, scene, time).torque[0];
+
+      if (k % 4 == 0) commanded = plan.at(time).position[0];
+      const double from = servo;
+      for (int part = 0; part < 8; ++part)
+        test::integrate([&](double x, double v) { return 900.0 * (commanded - x - 0.05 * v); }, kPeriod / 8.0,
+                        servo, servo_speed);
+      const double slip = (servo - from) / kPeriod + 12.0 * (from - q) - qd;
+      integral += 700.0 * kPeriod * slip;
+      const double own_tau = 48.0 * slip + integral + (robot_holds ? weight(q) : 0.0);
+      ASSERT_NEAR(tau, own_tau, 1e-7 * (1.0 + std::abs(own_tau))) << time;
+
+      test::integrate([&](double x, double v) { return test::pendulum_acceleration(own_tau, x, v); }, kPeriod,
+                      q, qd);
+      test::integrate([&](double x, double v) { return test::joint_acceleration(*arm, tau, x, v); }, kPeriod,
+                      state.q[0], state.qd[0]);
+      ASSERT_NEAR(state.q[0], q, 1e-9) << time;
+      ASSERT_NEAR(state.qd[0], qd, 1e-8) << time;
+    }
+    EXPECT_NEAR(q, plan.at(1.8 - 0.05).position[0], 0.02) << "and the arm follows, late by the look-ahead";
+  }
+}
+
+}  // namespace
+}  // namespace armtune::internal
