@@ -58,6 +58,16 @@ std::vector<std::string> commands() {
   return found;
 }
 
+TEST(Help, OfEveryCommandEndsWithTheExitCodesOnce) {
+  for (const std::string& command : commands()) {
+    const std::string text = help(command);
+    const auto codes = text.find("Exit codes: ");
+    ASSERT_NE(codes, std::string::npos) << command;
+    EXPECT_EQ(text.find("Exit codes: ", codes + 1), std::string::npos) << command;
+    EXPECT_THAT(text.substr(codes), HasSubstr("130 interrupted")) << command;
+  }
+}
+
 TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
   EXPECT_THAT(help("robot"), HasSubstr("ur10"));
   EXPECT_THAT(help("simulate"), AllOf(HasSubstr("moving_target"), HasSubstr("realistic_obstacle_pass"),

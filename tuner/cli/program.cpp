@@ -32,8 +32,8 @@ std::string version_text() {
   return text;
 }
 
-/// Prints what CLI11 has to say: help on standard output, an error of usage on standard error. Returns the
-/// exit code. CLI11 itself would print through std::cout, which is another stream than ours.
+/// Prints CLI11's help on standard output, or its error on standard error. Returns the exit code. CLI11
+/// itself would print through std::cout, which open_standard_streams does not make safe.
 int conclude_parsing(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
   std::ostringstream err;
@@ -69,7 +69,16 @@ void add_commands(CLI::App& app, int& exit_code) {
   group_options(app);
 }
 
-/// `armtune help` is `armtune --help`, and `armtune help tune` is `armtune tune --help`.
+/// Ends the help of every command with the program's footer, which gives the exit codes. CLI11 drops it where
+/// a command has a footer of its own.
+void add_exit_codes(CLI::App& app) {
+  const std::string codes = app.get_footer();
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+    if (!command->get_footer().ends_with(codes)) command->footer(command->get_footer() + "\n\n" + codes);
+  }
+}
+
+/// Converts `armtune help` to `armtune --help`, and `armtune help tune` to `armtune tune --help`.
 std::vector<std::string> without_help_as_command(std::vector<std::string> words) {
   if (words.size() < 2 || words[1] != "help") return words;
   words.erase(words.begin() + 1);
@@ -77,7 +86,7 @@ std::vector<std::string> without_help_as_command(std::vector<std::string> words)
   return words;
 }
 
-/// Throws InputError for a command that there is not, with the one that was likely meant.
+/// Throws InputError if the command does not exist. The message suggests the command with the nearest name.
 void refuse_unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
   if (words.size() < 2 || words[1].starts_with('-')) return;
   std::vector<std::string> names;
@@ -89,7 +98,7 @@ void refuse_unknown_command(const CLI::App& app, const std::vector<std::string>&
 }
 
 int parse_and_run(int argc, char** argv) {
-  const InputRecord inputs;  // one run: it reads each of its inputs once
+  const InputRecord inputs;  // each input file is read only once
   program_name() = argv[0];
   command_words() = resumed_arguments(without_help_as_command({argv, argv + argc}));
   command_line() = repeating_command(command_words());
@@ -114,13 +123,14 @@ int parse_and_run(int argc, char** argv) {
   });
   int exit_code = kDone;
   add_commands(app, exit_code);
+  add_exit_codes(app);
   if (argc == 1) {
     if (rank_place().rank != 0) return kDone;
     fmt::print(stderr, "{}", app.help());
     return kBadInput;
   }
   refuse_unknown_command(app, command_words());
-  // Before the command itself is called.
+  // This runs before the callback of the command.
   app.parse_complete_callback([&app] { refuse_ranks(app.get_subcommands().front()->get_name()); });
   try {
     std::vector<const char*> words;
@@ -128,21 +138,21 @@ int parse_and_run(int argc, char** argv) {
     for (const std::string& word : command_words()) words.push_back(word.c_str());
     app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::ParseError& e) {
-    // Rank 0 prints it; what only another rank does not understand it has to be told.
+    // Rank 0 prints the error. Other ranks throw it, so that it is reported to rank 0, which may not have it.
     if (rank_place().rank != 0) throw InputError(one_line(e.what()));
     return conclude_parsing(app, e);
   }
   return exit_code;
 }
 
-/// Throws nothing.
+/// Runs the program and returns the exit code. Does not throw.
 int run(int argc, char** argv) {
   open_standard_streams();
   int exit_code = kDone;
   try {
-    // It costs a second start, which a bare --version or --help need not wait for.
+    // This may restart the process, which takes time. --version and --help do not need it.
     if (argc > 1 && argv[1][0] != '-') fix_arithmetic(argv);
-    // Rank 0 decides when the others stop.
+    // Rank 0 decides when the other ranks stop.
     rank_place().rank == 0 ? catch_interrupts() : ignore_interrupts();
     exit_code = on_ranks(quoted_command({argv, argv + argc}), [&] { return parse_and_run(argc, argv); });
   } catch (...) {
