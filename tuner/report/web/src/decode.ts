@@ -1,4 +1,4 @@
-// Series of the report data back into numbers.
+// Decodes the series of the report data into numbers.
 import type { Series } from "./data";
 
 const NO_VALUE = 65535;
@@ -11,7 +11,7 @@ export function decodeBase64(text: string): Uint8Array {
   return bytes;
 }
 
-/** NaN where there is no value. */
+/** Returns the values; NaN for a missing value. */
 export function decodeSeries(series: Series): Float64Array {
   const bytes = decodeBase64(series.u16);
   const view = new DataView(bytes.buffer);
@@ -25,7 +25,7 @@ export function decodeSeries(series: Series): Float64Array {
   return values;
 }
 
-/** Little-endian float32. */
+/** Decodes little-endian float32 numbers. */
 export function decodeFloats(text: string): Float32Array {
   const bytes = decodeBase64(text);
   const view = new DataView(bytes.buffer);
@@ -34,7 +34,8 @@ export function decodeFloats(text: string): Float32Array {
   return values;
 }
 
-/** Values at i * dt, between them linear; the nearer one where the other is missing. */
+/** Returns the value at a time, for values at the times i * dt. It is interpolated linearly; if one neighbour
+ * is missing, it is the nearer one. */
 export function sampleAt(values: ArrayLike<number>, dt: number, time: number): number {
   const last = values.length - 1;
   if (last < 0) return NaN;

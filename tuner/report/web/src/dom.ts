@@ -1,10 +1,11 @@
-// Elements from code. Text becomes text nodes only: nothing here parses markup, so a name that holds some is
-// shown as it is.
+// Makes HTML and SVG elements. Text only becomes text nodes and is never parsed, so HTML in a name is shown
+// literally.
 
 export type Child = Node | string | null | undefined | false;
 type Value = string | number | boolean | undefined | ((event: never) => void);
 
-/** Attributes: `onclick` and the like are listeners, true and false set and leave out, the rest is text. */
+/** Makes an HTML element. Attributes: a function, such as that of `onclick`, becomes a listener; true sets an
+ * attribute, false leaves it out; all others are text. */
 export function element<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Record<string, Value> = {},
@@ -44,14 +45,14 @@ function append(parent: Element, children: Child[]): void {
   }
 }
 
-/** The text, with leave to break after every /, _ and point. */
+/** Returns the text so that a line can break after every /, _ and point. */
 export function breakable(text: string): HTMLElement {
   const made = element("span");
   for (const part of text.match(/[^/_.]+[/_.]*|[/_.]+/g) ?? []) made.append(part, element("wbr"));
   return made;
 }
 
-/** A button that stays in or out; `changed` hears what it is now. */
+/** Returns a button that is pressed or not. Each click calls `changed` with the new state. */
 export function toggle(
   label: string,
   pressed: boolean,

@@ -1,4 +1,4 @@
-// Saving what is drawn. Everything is made in the page; nothing is sent.
+// Saves drawings as files. The files are made in the page, and nothing is sent.
 import { element, svg } from "./dom";
 import { drawMark, type Shape } from "./plots/marks";
 import { cssColor } from "./theme";
@@ -19,11 +19,11 @@ export interface LegendEntry {
   label: string;
   colour: string;
   faint?: boolean;
-  /** Of what is drawn as marks; a line without it. */
+  /** Shape, if the entry is drawn with marks; otherwise it is a line. */
   mark?: Shape | undefined;
 }
 
-/** The plot's canvas with the title above and the legend below it, on the page's colour. */
+/** Returns the plot with the title above and the legend below it, on the colour of the page. */
 export function framedCanvas(plot: HTMLCanvasElement, title: string, legend: LegendEntry[]): HTMLCanvasElement {
   const scale = devicePixelRatio;
   const margin = 12 * scale;
@@ -69,7 +69,8 @@ export function framedCanvas(plot: HTMLCanvasElement, title: string, legend: Leg
   return framed;
 }
 
-/** The drawing with its title, a margin and the colours it has now: a file of its own does not know the page's style sheet. */
+/** Returns a copy of the drawing with title, margin and its present colours, because a saved file does not
+ * have the style sheet of the page. */
 function standalone(drawing: SVGSVGElement): SVGSVGElement {
   const copy = drawing.cloneNode(true) as SVGSVGElement;
   const from = drawing.querySelectorAll("*");

@@ -1,8 +1,8 @@
-// Numbers as text.
+// Formats numbers and names as text.
 
 const NONE = "–";
 
-/** Four significant digits; plain where that is short, with a power of ten elsewhere. */
+/** Returns the number with four significant digits; very large and very small ones have a power of ten. */
 export function formatNumber(value: number | null | undefined, digits = 4): string {
   if (value === null || value === undefined || Number.isNaN(value)) return NONE;
   if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
@@ -22,7 +22,7 @@ function trimZeros(text: string): string {
 
 const RAISED: Record<string, string> = { "-": "⁻", "1": "¹", "2": "²", "3": "³", "4": "⁴" };
 
-/** Powers raised: m/s^2 as m/s². "1", the unit of pure numbers, is not written. */
+/** Returns the unit with raised powers, such as m/s² for m/s^2; empty for "1", the unit of pure numbers. */
 export function formatUnit(unit: string): string {
   if (unit === "1") return "";
   return unit.replace(/\^(-?[1-4])(?!\d)/g, (_, power: string) => [...power].map((c) => RAISED[c] ?? c).join(""));
@@ -38,7 +38,8 @@ export function formatValue(value: number | null | undefined, unit: string): str
   return text === NONE ? text : withUnit(text, unit);
 }
 
-/** after / before; null where that says nothing (no value, or before is zero or of the other sign). */
+/** Returns after / before; null if it has no meaning (a value is missing, or `before` is zero or has the
+ * other sign). */
 export function ratioOf(before: number | null | undefined, after: number | null | undefined): number | null {
   if (before === null || before === undefined || after === null || after === undefined) return null;
   if (before === 0 || before < 0 !== after < 0) return before === after && before !== 0 ? 1 : null;
@@ -52,7 +53,8 @@ export function formatRatio(ratio: number | null): string {
 
 export type Change = "better" | "worse" | "same" | "none";
 
-/** Half a percent either way counts as the same: below that a table's third digit does not move. */
+/** Returns the kind of a change. Half a percent up or down counts as the same, because it is not visible in
+ * three digits. */
 export function changeOf(
   before: number | null | undefined,
   after: number | null | undefined,
@@ -65,12 +67,12 @@ export function changeOf(
   return after < before === (better === "lower") ? "better" : "worse";
 }
 
-/** As wide at 9.98 as at 10.02: the clock of the replay must not jump. A short whole has milliseconds. */
+/** Returns the time with a fixed number of decimals. If the whole run is short, these are milliseconds. */
 export function formatTime(seconds: number, whole = 10): string {
   return `${seconds.toFixed(whole < 2 ? 3 : 2)} s`;
 }
 
-/** A wait in words: "40 s", "12 min", "3.5 h". */
+/** Returns a duration such as "40 s", "12 min" or "3.5 h". */
 export function duration(seconds: number): string {
   if (seconds < 90) return `${Math.ceil(seconds)} s`;
   if (seconds < 5400) return `${Math.ceil(seconds / 60)} min`;
@@ -81,19 +83,20 @@ export function formatPercent(portion: number, digits = 1): string {
   return `${(100 * portion).toFixed(digits)} %`;
 }
 
-/** A number and the unit behind it stay on one line. */
+/** Keeps each number and its unit on one line. */
 export function unbroken(sentence: string): string {
   return sentence.replace(/(\d) (?=(%|mm|deg|s)(?![\w]))/g, "$1\u00a0");
 }
 
-/** Joint of a column or gain name such as joint/elbow_joint/velocity, else what stands after the last slash. */
+/** Returns the joint in a column name such as joint/elbow_joint/velocity; for other names, the part after the
+ * last slash. */
 export function shortName(column: string): string {
   const parts = column.split("/");
   if (parts[0] === "joint" && parts.length >= 3) return parts.slice(1, -1).join("/");
   return parts[parts.length - 1] ?? column;
 }
 
-/** A name as part of a file name. */
+/** Returns a file name made from the parts. Characters that may not be allowed become _. */
 export function fileName(...parts: string[]): string {
   return parts.map((part) => part.replace(/[^A-Za-z0-9_.-]+/g, "_")).filter((part) => part !== "").join("-");
 }

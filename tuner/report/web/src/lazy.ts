@@ -1,6 +1,6 @@
-// Work that waits until its place comes into view.
+// Delays work until its place on the page comes into view.
 
-/** Calls `make` once, when `place` is near the window. */
+/** Calls `make` once, as soon as `place` is near the visible part of the page. */
 export function whenVisible(place: Element, make: () => void): void {
   if (!("IntersectionObserver" in window)) {
     make();
@@ -17,7 +17,7 @@ export function whenVisible(place: Element, make: () => void): void {
   observer.observe(place);
 }
 
-/** Hears whether `place` is in the window, for what is drawn again and again. */
+/** Calls `changed` when `place` becomes visible or invisible, so that an animation can pause. */
 export function watchVisible(place: Element, changed: (visible: boolean) => void): void {
   if (!("IntersectionObserver" in window)) {
     changed(true);

@@ -1,12 +1,12 @@
-// While the run goes on: how far it is, and the page loads itself again. A browser keeps the place it is scrolled to.
+// Shows the progress of a run that has not ended, and reloads the page. Browsers keep the scroll position.
 import type { Live } from "./data";
 import { element } from "./dom";
 import { duration } from "./format";
 
-/** A run that has written no page for so long is in its analysis, or is none any more. */
+/** Time without a new page after which the run counts as in its analysis, or as killed [s]. */
 const SILENT_S = 120;
 
-/** `now`: seconds since 1970. */
+/** Returns the progress as a text. `now`: seconds since 1970. */
 export function liveWords(live: Live, now: number): string {
   const age = now - live.written;
   const done = `${live.evaluations} of ${live.most_evaluations} evaluations`;

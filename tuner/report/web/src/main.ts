@@ -1,4 +1,4 @@
-// Reads the data that stand in the page and lays the report out, top to bottom.
+// Reads the data in the page and makes the sections of the report, from top to bottom.
 import type { ReportData } from "./data";
 import { element } from "./dom";
 import { liveLine, reloadLater } from "./live";

@@ -1,5 +1,5 @@
-// Colours that colour-blind readers can tell apart: the eight of Okabe and Ito (2008). Black gives way to white
-// on a dark page.
+// Colours that colour-blind readers can tell apart: the eight of Okabe and Ito (2008). On a dark page, white
+// replaces black.
 import { isDark } from "./theme";
 
 export const BLUE = "#0072B2";
@@ -10,7 +10,7 @@ export const PURPLE = "#CC79A7";
 export const SKY = "#56B4E9";
 export const YELLOW = "#F0E442";
 
-/** A blue and a green of the same hue that stand out from a dark page. */
+/** Brighter colours of the same hue, for a dark page. */
 const ON_DARK: Record<string, string> = { [BLUE]: "#3d9fd9", [GREEN]: "#1fbf92", [VERMILLION]: "#f07a2b" };
 
 export function onPage(colour: string): string {
@@ -19,12 +19,13 @@ export function onPage(colour: string): string {
 
 const SERIES = [BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY];
 
-/** The i-th of a plot's series; past six they come again, dashes and the legend tell them apart. */
+/** Returns the colour of the i-th series of a plot. After six the colours repeat; the legend tells them
+ * apart. */
 export function seriesColour(i: number): string {
   return onPage(SERIES[i % SERIES.length] ?? BLUE);
 }
 
-/** x, y, z. */
+/** Returns the colour of an axis: 0, 1, 2 for x, y, z. */
 export function axisColour(axis: number): string {
   return onPage([VERMILLION, GREEN, BLUE][axis] ?? BLUE);
 }
@@ -35,7 +36,7 @@ export function withAlpha(hex: string, alpha: number): string {
     .padStart(2, "0")}`;
 }
 
-/** Bands behind the time plots; null: nothing is drawn for the state the arm is meant to be in. */
+/** Returns the colour of the band for a controller state; null for following the path, which has no band. */
 export function stateColour(name: string): string | null {
   switch (name) {
     case "followTrajectory":
@@ -53,7 +54,8 @@ export function stateColour(name: string): string | null {
 
 export const SLERP_COLOUR = YELLOW;
 
-/** Dark blue over teal to yellow, even in lightness: for errors from 0 to 1 along the tool's path. */
+/** Colours for errors from 0 to 1 along the tool's path: dark blue, teal, yellow, with even steps in
+ * lightness. */
 const RAMP: [number, number, number][] = [
   [0.15, 0.26, 0.62],
   [0.0, 0.5, 0.66],

@@ -1,11 +1,11 @@
-// The one time of a scenario that its replay and all its plots show.
+// The playhead of a scenario: the time that its replay and all its plots show.
 
 type Listener = (time: number) => void;
 
-/** Of the clock's own. */
+/** Speeds of the replay, relative to real time. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
 
-/** A motion of less than three seconds is over before an eye has followed it: the speed at which it takes as long. */
+/** Returns the speed at which a short motion takes at least three seconds, so that one can follow it. */
 export function speedFor(duration: number): number {
   const LONG_ENOUGH = 3;  // s
   const slow = SPEEDS.filter((speed) => speed <= 1 && duration / speed >= LONG_ENOUGH);
@@ -76,7 +76,7 @@ export class Playhead {
   }
 
   private readonly step = (now: number): void => {
-    // A page that was hidden gets no frames: what it missed is not made up for.
+    // A hidden page gets no frames. The time that it missed is not made up for.
     const passed = Math.min(Math.max(now - this.before, 0), 250) / 1000;
     this.before = now;
     this.seek(this.now + passed * this.rate);

@@ -1,4 +1,4 @@
-// Light and dark: what the system prefers until the reader chooses.
+// Light and dark colours: the choice of the system, until the reader chooses.
 import { element } from "./dom";
 
 const listeners = new Set<() => void>();
@@ -9,7 +9,7 @@ export function isDark(): boolean {
   return chosen === undefined ? prefersDark.matches : chosen === "dark";
 }
 
-/** Called after every change; returns what ends that. */
+/** Calls `listener` after every change. Returns a function that ends this. */
 export function onTheme(listener: () => void): () => void {
   listeners.add(listener);
   return () => listeners.delete(listener);
@@ -19,7 +19,7 @@ function changed(): void {
   for (const listener of listeners) listener();
 }
 
-/** A colour of the page's style sheet, such as "ink" for --ink. */
+/** Returns a colour of the page's style sheet, such as --ink for "ink". */
 export function cssColor(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }

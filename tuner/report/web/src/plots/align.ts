@@ -1,4 +1,4 @@
-// Runs of one scenario on one time axis.
+// Puts the runs of one scenario on one time axis.
 import uPlot from "uplot";
 
 export type Values = (number | null | undefined)[];
@@ -8,7 +8,7 @@ export interface TimedColumns {
   columns: Float64Array[];
 }
 
-/** NaN is a gap. */
+/** Returns the values times a factor. NaN becomes null, a gap in the curve. */
 export function gaps(values: ArrayLike<number>, factor = 1): Values {
   return Array.from({ length: values.length }, (_, i) => {
     const value = values[i] ?? NaN;
@@ -20,14 +20,15 @@ function same(a: Float64Array, b: Float64Array): boolean {
   return a.length === b.length && a.every((value, i) => value === b[i]);
 }
 
-/** One x for all; what one run has no point for is undefined, which is drawn through, unlike a gap. */
+/** Returns one x axis for all runs. If a run has no point at an x, its value there is undefined. The curve
+ * continues there, unlike at a gap. */
 export function alignRuns(runs: TimedColumns[], factor: number): { x: number[]; columns: Values[] } {
   const first = runs[0];
   if (first === undefined) return { x: [], columns: [] };
   if (runs.every((run) => same(run.time, first.time))) {
     return { x: Array.from(first.time), columns: runs.flatMap((run) => run.columns.map((c) => gaps(c, factor))) };
   }
-  // uPlot's join keeps one point per x: the two of a bucket are told apart by half a nanosecond.
+  // uPlot's join keeps only one point per x. Points at equal x are therefore shifted by half a nanosecond.
   const tables = runs.map((run) => {
     const x = Array.from(run.time);
     for (let i = 1; i < x.length; ++i) if ((x[i] ?? 0) <= (x[i - 1] ?? 0)) x[i] = (x[i - 1] ?? 0) + 5e-10;

@@ -1,4 +1,4 @@
-// Behind and across what is plotted: bands of x, dashed lines at limits.
+// Draws bands of x behind the curves of a plot, and lines such as limits across it.
 import type uPlot from "uplot";
 import { cssColor } from "../theme";
 
@@ -12,12 +12,12 @@ export interface Line {
   value: number;
   label: string;
   axis?: "x" | "y";
-  /** Of a y line: where it begins and ends on x; all across without. */
+  /** Begin and end on x of a line at a value of y; if they are left out, it goes all across. */
   from?: number;
   to?: number;
-  /** The page's colour of limits without. */
+  /** If left out, the line has the page's colour of limits. */
   colour?: string;
-  /** Drawn through and thick. */
+  /** True: the line is solid and thick instead of dashed. */
   thick?: boolean;
 }
 
@@ -35,10 +35,10 @@ export function drawBands(u: uPlot, bands: Band[]): void {
   ctx.restore();
 }
 
-/** px: a stretch that is shorter is still seen. */
+/** Shortest drawn length of a thick line [px], so that it can be seen. */
 const SHORTEST = 3;
 
-/** Those at values of x, and of y. */
+/** Draws lines at values of x, and at values of y. */
 export function drawLines(u: uPlot, ofX: Line[], ofY: Line[]): void {
   const { ctx, bbox } = u;
   const scale = devicePixelRatio;
@@ -63,7 +63,7 @@ export function drawLines(u: uPlot, ofX: Line[], ofY: Line[]): void {
     if (y < bbox.top || y > bottom) continue;
     const begin = place(from, bbox.left);
     const end = place(to, right);
-    // Out of view to one side.
+    // The line is outside the visible range.
     if (begin === end && from !== to) continue;
     set(colour, thick === true);
     const room = thick === true ? Math.max(0, SHORTEST * scale - (end - begin)) / 2 : 0;

@@ -1,4 +1,5 @@
-// One plot on a canvas: axes with units, zoom by drag, reset by double click, reference lines, bands, a playhead.
+// A plot on a canvas. It has axes with units, reference lines, bands and a playhead. Dragging zooms, and a
+// double click shows all.
 import uPlot from "uplot";
 import { element, type Child } from "../dom";
 import { framedCanvas, savePng, saveButtons, type LegendEntry } from "../export";
@@ -14,9 +15,9 @@ export interface ChartSeries {
   width?: number;
   dash?: number[];
   alpha?: number;
-  /** Draw marks of this size and no line. */
+  /** If given, marks of this size are drawn instead of a line. */
   marks?: number;
-  /** Of the marks; dots if left out. */
+  /** Shape of the marks; if left out, dots. */
   shape?: Shape;
   stepped?: boolean;
   shown?: boolean;
@@ -24,21 +25,21 @@ export interface ChartSeries {
 
 export interface ChartOptions {
   title: string;
-  /** For saved files. */
+  /** Name of saved files, without extension. */
   file: string;
   xLabel: string;
   yLabel: string;
   height: number;
   x: number[];
   series: ChartSeries[];
-  /** Dashed lines that stay in view, such as a limit: at a value of y, or of x. */
+  /** Lines at a value of y or x, such as a limit. The axis range includes them. */
   lines?: Line[] | (() => Line[]);
   bands?: () => Band[];
   yLog?: boolean;
-  /** Values the y axis always shows. */
+  /** Values that the y axis always shows. */
   include?: number[];
   xPad?: number;
-  /** Of the whole x axis, where that is not the data's. */
+  /** Range of the whole x axis; if left out, the range of the data. */
   xRange?: [number, number];
   legend: () => LegendEntry[];
 }
@@ -48,9 +49,9 @@ export class Chart {
   readonly plot: uPlot;
   private readonly line = element("div", { class: "playhead", "aria-hidden": true });
   private playhead: number | null = null;
-  /** Told of every new range of x, by whatever hand. */
+  /** Called with every new range of x. */
   onZoom: ((from: number, to: number) => void) | null = null;
-  /** After every drawing: for what is laid over the canvas. */
+  /** Called after every drawing, to move elements that lie over the canvas. */
   onDraw: (() => void) | null = null;
 
   constructor(
@@ -113,7 +114,7 @@ export class Chart {
     return [Math.min(x[0] ?? 0, ...lines) - pad, Math.max(x[x.length - 1] ?? 1, ...lines) + pad];
   }
 
-  /** Around the playhead where it is in view. */
+  /** Zooms around the playhead if it is visible, otherwise around the middle. */
   zoomBy(factor: number): void {
     const [min, max] = this.range();
     const [low, high] = this.fullRange();
@@ -218,7 +219,8 @@ export class Chart {
     };
   }
 
-  /** Full data range asked for: with its margin; anything narrower is a zoom and stays as it is. */
+  /** Returns the range of x to show. The full range of the data gets its margin; a narrower range is a zoom
+   * and is kept. */
   private padded(min: number, max: number): [number, number] {
     const x = this.options.x;
     const [low, high] = this.fullRange();
@@ -252,7 +254,7 @@ export class Chart {
     const [from, to] = this.range();
     ctx.save();
     ctx.beginPath();
-    // A mark on the edge is seen whole.
+    // The margin shows a mark on the edge completely.
     ctx.rect(bbox.left - size, bbox.top - size, bbox.width + 2 * size, bbox.height + 2 * size);
     ctx.clip();
     one.values.forEach((value, i) => {

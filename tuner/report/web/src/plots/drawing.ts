@@ -1,11 +1,11 @@
-// A plot drawn as SVG, anew for every width, so that its text keeps its size on a phone.
+// A plot drawn as SVG. It is drawn again for every width, so that its text keeps its size on a phone.
 import { element, svg } from "../dom";
 import { saveButtons, saveSvg, saveSvgAsPng } from "../export";
 
 export interface DrawingOptions {
   title: string;
   file: string;
-  /** Content for a width in px; returns the height it needs. */
+  /** Draws the content for a width; returns the height that it needs [px]. */
   draw: (into: SVGSVGElement, width: number) => number;
 }
 
@@ -55,7 +55,7 @@ export function label(
   return svg("text", { x, y, "text-anchor": anchor, class: `label ${kind}`, "font-size": 12 }, text);
 }
 
-/** The text, or its end behind an ellipsis where it is longer than fits in px. */
+/** Returns the text, or an ellipsis and its end if it does not fit into the width [px]. */
 export function fitted(text: string, width: number): string {
   const most = Math.max(4, Math.floor(width / 6.6));
   return text.length <= most ? text : `…${text.slice(text.length - most + 1)}`;

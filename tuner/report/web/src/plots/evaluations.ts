@@ -1,7 +1,7 @@
-// What the plot of a search is made from.
+// Computes the data for the plot of a search.
 import type { Evaluations } from "../data";
 
-/** The smallest objective of a feasible evaluation up to each one; null before the first. */
+/** Returns, for each evaluation, the smallest objective of a feasible one so far; null before the first. */
 export function bestSoFar(objective: (number | null)[], feasible: boolean[]): (number | null)[] {
   let best: number | null = null;
   return objective.map((value, i) => {
@@ -10,8 +10,8 @@ export function bestSoFar(objective: (number | null)[], feasible: boolean[]): (n
   });
 }
 
-/** The line of the best, and what it is of: the native engine's evaluations are the search's way, though none of them is
- * what a run is judged by. */
+/** Returns the line of the best objective so far, and its label. It includes evaluations in the native
+ * engine, although Simbody judges the result. */
 export function bestLine(evaluations: Evaluations): { label: string; values: (number | null)[] } {
   const native = evaluations.native?.includes(true) === true;
   return {
@@ -20,7 +20,7 @@ export function bestLine(evaluations: Evaluations): { label: string; values: (nu
   };
 }
 
-/** What an evaluation is called: its place among all. */
+/** Returns the number of an evaluation among all evaluations. */
 export function numberOf(evaluations: Pick<Evaluations, "thinned">, i: number): number {
   return evaluations.thinned?.number[i] ?? i;
 }
@@ -32,7 +32,7 @@ export interface Counts {
   undrawn: number;
 }
 
-/** Of all evaluations, also where the page shows some of them only. */
+/** Returns the counts of all evaluations, even if the page shows only some of them. */
 export function countsOf(evaluations: Evaluations): Counts {
   const { objective, feasible, native, thinned } = evaluations;
   if (thinned !== undefined) return { ...thinned, undrawn: thinned.without_objective };
@@ -44,7 +44,8 @@ export function countsOf(evaluations: Evaluations): Counts {
   };
 }
 
-/** What is said of evaluations that have no objective to draw: an earlier version of armtune gave some up. */
+/** Returns a note on evaluations without an objective; empty if there are none. Earlier versions of armtune
+ * abandoned some evaluations. */
 export function undrawnText(count: number): string {
   return count > 0 ? `${count} of them without an objective, not drawn` : "";
 }
@@ -56,7 +57,7 @@ export interface PhaseRun {
   to: number;
 }
 
-/** Evaluations of one phase that follow each other. */
+/** Returns the groups of consecutive evaluations of one phase. */
 export function phaseRuns(evaluations: Pick<Evaluations, "phase" | "of" | "thinned">): PhaseRun[] {
   const { thinned } = evaluations;
   if (thinned !== undefined)

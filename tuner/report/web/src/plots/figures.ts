@@ -1,11 +1,11 @@
-// Which figures a scenario has, in their order.
+// The list of all possible time plots, in their order on the page.
 import type { Column, Scenario } from "../data";
 
 export interface Figure {
   group: Column["group"];
   title: string;
   axis: string;
-  /** The y axis begins at zero. */
+  /** True: the y axis begins at zero. */
   fromZero: boolean;
   lines: (scenario: Scenario) => { value: number; label: string }[];
 }
@@ -13,7 +13,8 @@ export interface Figure {
 const none = () => [];
 const limit = () => [{ value: 1, label: "limit" }];
 
-/** A plan's joints: those that turn, and those that slide, have plots of their own, since units differ. */
+/** Plots for the joints of a plan. Joints that turn and joints that slide have separate plots, because their
+ * units differ. */
 const OF_PLANS: Figure[] = (["joint", "slide"] as const).flatMap((kind) => {
   const whose = kind === "joint" ? "Joint" : "Sliding joint";
   const figure = (quantity: "position" | "velocity" | "acceleration" | "jerk" | "torque", axis: string, plural: string): Figure => ({

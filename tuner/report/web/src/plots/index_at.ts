@@ -1,6 +1,6 @@
-// Finding a time among sorted ones.
+// Finds a time in a sorted list.
 
-/** Index of the last x not after the time; 0 where all are. */
+/** Returns the index of the last x that is not after the time; 0 if all are after it. */
 export function indexAt(x: ArrayLike<number>, time: number): number {
   let low = 0;
   let high = x.length - 1;

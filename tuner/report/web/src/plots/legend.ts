@@ -1,4 +1,4 @@
-// A legend whose entries show and hide what they name.
+// A legend. A click on an entry shows or hides its series.
 import { element, toggle } from "../dom";
 import type { LegendEntry } from "../export";
 import type { ChartSeries } from "./chart";
@@ -19,7 +19,7 @@ export function legendOf(series: ChartSeries[], show: (index: number, shown: boo
   return legend;
 }
 
-/** The same for a saved picture: of what is shown. */
+/** Returns the legend for a saved picture, with the visible series. */
 export function legendEntries(series: ChartSeries[]): LegendEntry[] {
   return series
     .filter((one) => one.shown !== false && one.values.some((value) => value !== null && value !== undefined))

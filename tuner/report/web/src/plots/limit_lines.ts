@@ -1,13 +1,15 @@
-// The limits of a plan as lines across a time plot: dashed where they hold, thick where they hold the plan back.
+// Draws the limits of a plan as lines across a time plot: dashed while a limit applies, thick while it is
+// active.
 import type { PlanLimit } from "../data";
 import { element } from "../dom";
 import { formatNumber, shortName, withUnit } from "../format";
 import type { Line } from "./backdrop";
 
-/** A limit farther from zero than so many times the largest value is not drawn: it would press the curves flat. */
+/** An inactive limit farther from zero than this factor times the largest value is not drawn, because the
+ * curves would become flat. */
 const IN_SIGHT = 3;
 
-/** Of the largest value: labels that are closer lie over each other. */
+/** Smallest distance of two labels, relative to the largest value; closer ones would overlap. */
 const LABEL_ROOM = 0.2;
 
 export interface LimitPicture {
@@ -30,8 +32,9 @@ function boundsOf(limit: PlanLimit): Bound[] {
   return bounds;
 }
 
-/** limits: of one plot. largest: of the plot's values, in the limits' unit. colour: of a column's curve. Bounds that
- * several columns share are one dashed line; what is active has the colour of its own curve. */
+/** Returns the lines of the limits of one plot. Columns with the same bound share one dashed line. While a
+ * bound is active, its line has the colour of its own curve. largest: largest value of the plot, in the unit
+ * of the limits; colour: returns the colour of a column's curve. */
 export function limitLines(limits: PlanLimit[], largest: number, factor: number, colour: (column: string) => string): LimitPicture {
   const lines: Line[] = [];
   const far = new Set<PlanLimit>();
@@ -66,7 +69,7 @@ export function limitLines(limits: PlanLimit[], largest: number, factor: number,
   return { lines, far: [...far] };
 }
 
-/** "-1 to 2 rad", "at most 0.15 rad". */
+/** Returns, for example, "-1 to 2 rad" or "at most 0.15 rad". */
 export function boundWords({ lower, upper, unit }: Pick<PlanLimit, "lower" | "upper" | "unit">): string {
   if (lower === null) return `at most ${withUnit(formatNumber(upper, 3), unit)}`;
   if (upper === null) return `at least ${withUnit(formatNumber(lower, 3), unit)}`;
@@ -74,7 +77,7 @@ export function boundWords({ lower, upper, unit }: Pick<PlanLimit, "lower" | "up
   return withUnit(`${formatNumber(lower, 3)} to ${formatNumber(upper, 3)}`, unit);
 }
 
-/** What is not in the picture, said below it. */
+/** Returns a note on the limits that are not drawn, or null if there are none. */
 export function farWords(far: PlanLimit[]): HTMLElement | null {
   if (far.length === 0) return null;
   const byWords = new Map<string, string[]>();

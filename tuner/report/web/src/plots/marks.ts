@@ -1,8 +1,8 @@
-// Marks of plots: shapes that differ without their colours.
+// Draws the marks of plots. Their shapes differ, so that no colour is needed to tell them apart.
 
 export type Shape = "dot" | "ring" | "diamond" | "square" | "cross";
 
-/** `size`: from edge to edge, in the units of the place. */
+/** Draws a mark at (x, y). `size`: from edge to edge, in the units of x and y. */
 export function drawMark(ctx: CanvasRenderingContext2D, shape: Shape, x: number, y: number, size: number, colour: string): void {
   const half = size / 2;
   ctx.fillStyle = ctx.strokeStyle = colour;

@@ -1,7 +1,8 @@
-// Where a gain stands between its bounds.
+// Computes the position of a gain between its bounds.
 import type { Gain } from "../data";
 
-/** 0 at the lower bound, 1 at the upper, in the gain's own scale; linear where a logarithm has no lower end. */
+/** Returns 0 at the lower bound and 1 at the upper one, on the gain's scale. A log scale with a lower bound
+ * of zero is replaced by a linear one. */
 export function placeOnScale(gain: Pick<Gain, "lower" | "upper" | "scale">, value: number): number {
   const { lower, upper } = gain;
   const place =
@@ -11,8 +12,8 @@ export function placeOnScale(gain: Pick<Gain, "lower" | "upper" | "scale">, valu
   return Number.isFinite(place) ? Math.min(Math.max(place, 0), 1) : 0;
 }
 
-/** Closer to a bound than this part of the scale, a search may have wanted to go on. Where the scale is linear a small
- * gain is not yet one at its bound: many have a range of several decades from zero on. */
+/** A gain closer to a bound than this share of the scale counts as at the bound. The share is smaller on a
+ * linear scale, because many linear ranges begin at zero and span several decades. */
 const NEAR = { log: 5e-3, linear: 1e-6 };
 
 export function boundOf(gain: Pick<Gain, "lower" | "upper" | "scale">, value: number): "lower" | "upper" | "" {

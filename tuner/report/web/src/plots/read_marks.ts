@@ -1,18 +1,20 @@
-// Marks that are read: by pointing, by a tap, by arrow keys while the plot has the focus.
+// Lets the reader select a mark of a plot by pointing, by a tap, or by arrow keys while the plot has the
+// focus.
 import { element } from "../dom";
 import type { Chart } from "./chart";
 
 export interface Mark {
   x: number;
   y: number;
-  /** Index of the series it belongs to: what is hidden is not read. */
+  /** Index of its series. Marks of hidden series cannot be selected. */
   series: number;
   text: string;
 }
 
-const NEAR = 30;  // px
+const NEAR = 30;  // px, largest distance of the pointer
 
-/** Index of the next shown mark after (or before) the current one, which stays at the ends; -1 where there is none. */
+/** Returns the index of the next visible mark after (or before) the current one. At the ends it is the
+ * current one; -1 if there is none. */
 export function stepFrom(shown: boolean[], current: number, step: 1 | -1): number {
   const n = shown.length;
   const begin = current < 0 ? (step > 0 ? -1 : n) : current;
@@ -20,7 +22,8 @@ export function stepFrom(shown: boolean[], current: number, step: 1 | -1): numbe
   return shown[current] === true ? current : -1;
 }
 
-/** Marks in the order of x. What is read stands in `told`. */
+/** Makes the marks of a chart selectable. `marks`: in the order of x; `told`: gets the text of the selected
+ * mark. */
 export function readMarks(chart: Chart, marks: Mark[], told: HTMLElement): void {
   const { plot } = chart;
   const ring = element("div", { class: "picked", hidden: true, "aria-hidden": true });
@@ -48,7 +51,7 @@ export function readMarks(chart: Chart, marks: Mark[], told: HTMLElement): void 
       if (!chart.isShown(mark.series)) return;
       const dx = plot.valToPos(mark.x, "x") - (event.clientX - box.left);
       const dy = plot.valToPos(mark.y, "y") - (event.clientY - box.top);
-      // The last of those in one place is drawn on top.
+      // Of several marks in one place, the last one is drawn on top and selected.
       if (Math.hypot(dx, dy) <= distance) [nearest, distance] = [i, Math.hypot(dx, dy)];
     });
     pick(nearest);

@@ -1,9 +1,9 @@
-// What a legend says of a line at the playhead.
+// Computes the value of a curve at the playhead, for the legend.
 import { formatNumber } from "../format";
 import { indexAt } from "./index_at";
 
-/** On the run's own time axis, straight between its points as it is drawn; the nearer one beside a gap. NaN in a gap
- * and after the run's end. */
+/** Returns the value at a time, interpolated linearly between the points of the run. Beside a gap it is the
+ * nearer value. NaN in a gap and after the end of the run. */
 export function valueAt(time: ArrayLike<number>, values: ArrayLike<number>, at: number, end: number): number {
   if (time.length === 0 || at > end) return NaN;
   const i = indexAt(time, at);
@@ -15,7 +15,7 @@ export function valueAt(time: ArrayLike<number>, values: ArrayLike<number>, at: 
   return a + part * (b - a);
 }
 
-/** Three digits, and none below the step in which the value was stored. */
+/** Returns the value with three digits, but without digits below the step in which it was stored. */
 export function formatReading(value: number, step: number): string {
   if (!(step > 0) || !Number.isFinite(value)) return formatNumber(value, 3);
   const place = 10 ** Math.ceil(Math.log10(step) - 1e-9);

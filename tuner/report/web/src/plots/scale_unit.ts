@@ -1,4 +1,4 @@
-// Units that keep axis labels short: millimetres for a millimetre's error.
+// Chooses units that keep axis labels short, such as millimetres for small errors.
 
 export interface Scaled {
   factor: number;
@@ -7,7 +7,7 @@ export interface Scaled {
 
 const SMALL: Record<string, string> = { m: "mm", "m/s": "mm/s", rad: "mrad", "rad/s": "mrad/s" };
 
-/** Thousandths where nothing reaches a tenth of the unit. */
+/** Returns a unit that is a thousand times smaller if no value reaches a tenth of the given unit. */
 export function scaleUnit(unit: string, largest: number): Scaled {
   const small = SMALL[unit];
   if (small === undefined || !(largest > 0) || largest >= 0.1) return { factor: 1, unit };

@@ -1,4 +1,4 @@
-// The patch of colour in a legend, which changes with the page's colours.
+// A patch of colour in a legend. It changes when the page switches between light and dark colours.
 import { element } from "../dom";
 import { onTheme } from "../theme";
 

@@ -1,6 +1,6 @@
-// Round numbers for axes.
+// Computes round numbers for axes.
 
-/** Round numbers that cover lo to hi in about `count` steps. */
+/** Returns round numbers between lo and hi, in about `count` steps. */
 export function ticks(lo: number, hi: number, count: number): number[] {
   if (!(hi > lo)) return [lo];
   const raw = (hi - lo) / count;

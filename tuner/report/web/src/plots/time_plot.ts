@@ -1,4 +1,5 @@
-// One figure over time: the columns of one group, those of all shown gain sets over each other.
+// A plot over time. It shows the columns of one group, with the curves of all shown gain sets over each
+// other.
 import type { Column, Run, Scenario } from "../data";
 import { decodeSeries } from "../decode";
 import { element, toggle } from "../dom";
@@ -20,19 +21,20 @@ import { swatch } from "./swatch";
 interface Trace {
   run: Run;
   column: Column;
-  /** Index of the column's name among those of the plot. */
+  /** Index of the column's name in the list of the plot. */
   name: number;
-  /** On the run's own time axis, as they are stored. */
+  /** Times and values of the run, as they are stored. */
   time: Float64Array;
   values: Float64Array;
 }
 
-/** Of a series as it is stored; decode.ts. */
+/** Number of steps of a stored series, as in decode.ts. */
 const STEPS = 65534;
 
 const DASHES: number[][] = [[5, 4], [2, 3], [8, 3, 2, 3], [1, 2]];
 
-/** The result is drawn through, the reference faint and dashed, sets between them in dashes of their own. */
+/** Returns the style of a line. The result is solid; the reference is faint and dashed; other sets have other
+ * dashes. */
 function lineOf(run: Run, result: number): Pick<ChartSeries, "dash" | "alpha" | "width"> {
   if (run.set === result) return { width: 1.5 };
   return { dash: DASHES[run.set % DASHES.length] ?? [5, 4], alpha: run.set === 0 ? 0.6 : 0.8, width: 1.1 };
@@ -119,7 +121,7 @@ export class TimePlot {
     playhead.onTime((time) => this.follow(time));
   }
 
-  /** After a change of what is shown. */
+  /** Updates the plot after a gain set or a column was shown or hidden. */
   refresh(): void {
     this.traces.forEach((trace, i) => this.chart.show(i, this.shows(trace)));
     this.readAt = -Infinity;
@@ -153,7 +155,7 @@ export class TimePlot {
     if (!this.visible) return;
     this.chart.setPlayhead(time);
     const now = performance.now();
-    // Numbers that change sixty times a second are read by nobody.
+    // Numbers that change sixty times a second cannot be read.
     if (this.playhead.playing && now - this.readAt < 120) return;
     this.readAt = now;
     const { factor } = this.scaled;
@@ -169,7 +171,7 @@ export class TimePlot {
     });
   }
 
-  /** The pointer moves the playhead while nothing plays; a click or a touch does at any time. */
+  /** Moves the playhead with the pointer while nothing plays, and with a click or a touch at any time. */
   private followPointer(): void {
     const { over } = this.chart.plot;
     over.style.touchAction = "pan-y";

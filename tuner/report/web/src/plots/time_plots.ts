@@ -1,4 +1,5 @@
-// The figures of one scenario: one time axis, one playhead, bands of what the controller was doing.
+// The time plots of one scenario. They share a time axis and a playhead. Bands show the states of the
+// controller.
 import type { Run, Scenario } from "../data";
 import { element } from "../dom";
 import { whenVisible } from "../lazy";
@@ -8,7 +9,8 @@ import type { Band } from "./backdrop";
 import { FIGURES } from "./figures";
 import { TimePlot } from "./time_plot";
 
-/** Of the given run, up to its end: states but the one it is meant to be in, then slerps. */
+/** Returns the bands of a run, up to its end: first its states, except following the path, and then its
+ * slerps (smooth turns of the tool). */
 export function bandsOf(run: Run | undefined, scenario: Scenario): Band[] {
   if (run === undefined) return [];
   const bands: Band[] = [];
@@ -52,7 +54,7 @@ export class TimePlots {
     for (const plot of this.plots) plot.refresh();
   }
 
-  /** For fingers, which have no drag to spare; null: all. */
+  /** Zooms by buttons, because dragging scrolls on touch screens. factor: null shows all. */
   zoomBy(factor: number | null): void {
     const [first] = this.plots;
     if (factor === null) first?.chart.showAll();

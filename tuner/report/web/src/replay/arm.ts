@@ -1,11 +1,12 @@
-// The arm in the scene: shapes that follow their joints, and a joint's colour when it comes close to its limit.
+// The arm in the scene. Its shapes follow their joints. A joint changes its colour close to its velocity
+// limit.
 import { Color, Group, Mesh, MeshStandardMaterial, type Material } from "three";
 import type { Pose, Robot, Shape } from "../data";
 import { ORANGE, VERMILLION } from "../palette";
 import { forwardKinematics, reachOf } from "./kinematics";
 import { geometryOf } from "./shapes";
 
-/** Ratios of velocity to limit between which a joint's colour goes from its own to the warning's. */
+/** Ratio of velocity to limit from which a joint's colour changes; at WARN_TO it is the warning colour. */
 export const WARN_FROM = 0.8;
 const WARN_TO = 1;
 
@@ -18,7 +19,7 @@ export class Arm {
   readonly group = new Group();
   private readonly links: Group[];
   private readonly materials: MeshStandardMaterial[] = [];
-  /** Those of all that is drawn, each with its opacity. */
+  /** All materials, each with its opacity. */
   private readonly opacities = new Map<MeshStandardMaterial, number>();
   private readonly tool = new Group();
   private faded = false;
@@ -44,19 +45,19 @@ export class Arm {
     this.addTool(ghostly ?? this.solidMaterial(), reach);
   }
 
-  /** Colour of a joint that is far from its limit. */
+  /** Sets the colour of joints that are far from their limits. */
   setColour(colour: string): void {
     this.own = new Color(colour);
   }
 
-  /** As of a run that is over. */
+  /** True: draws the arm faded, because its run is over. */
   setFaded(faded: boolean): void {
     if (faded === this.faded) return;
     this.faded = faded;
     for (const [material, opacity] of this.opacities) {
       material.opacity = faded ? 0.4 * opacity : opacity;
       material.transparent = material.opacity < 1;
-      // Whether it is opaque is compiled into its shader.
+      // The shader must be compiled again when it becomes opaque or transparent.
       material.needsUpdate = true;
     }
   }
@@ -75,12 +76,12 @@ export class Arm {
   private colour(material: MeshStandardMaterial, ratio: number): void {
     const heat = Math.min(Math.max((ratio - WARN_FROM) / (WARN_TO - WARN_FROM), 0), 1);
     const warm = new Color(ORANGE).lerp(new Color(VERMILLION), heat);
-    // A step at the threshold, so that crossing it is seen.
+    // The colour makes a step at the threshold, so that crossing it is visible.
     material.color.copy(this.own).lerp(warm, heat > 0 ? 0.45 + 0.55 * heat : 0);
     material.emissive.copy(warm).multiplyScalar(0.35 * heat);
   }
 
-  /** A slim rod that ends in the tool's point. */
+  /** Adds a slim rod that ends at the tool's origin. */
   private addTool(material: Material, reach: number): void {
     const [x, y, z] = this.robot.tool.p;
     const length = Math.hypot(x, y, z);
@@ -112,7 +113,7 @@ export class Arm {
       roughness: 0.9,
       transparent: true,
       opacity,
-      // Where it is as good as inside the arm it stays behind it.
+      // Where the ghost coincides with the arm, the arm is in front.
       polygonOffset: true,
       polygonOffsetFactor: 2,
       polygonOffsetUnits: 40,

@@ -1,4 +1,5 @@
-// Forward kinematics of the chain: frames of joints and tool in the base, from joint positions.
+// Forward kinematics of the chain: computes the frames of joints and tool in the base frame from the joint
+// positions.
 import type { Pose, Quaternion, Robot, Vec3 } from "../data";
 
 export function multiply(a: Quaternion, b: Quaternion): Quaternion {
@@ -12,7 +13,7 @@ export function multiply(a: Quaternion, b: Quaternion): Quaternion {
   ];
 }
 
-/** v + 2 w (u x v) + 2 u x (u x v), u the vector part. */
+/** Returns v + 2 w (u x v) + 2 u x (u x v), where u is the vector part of q. */
 export function rotate(q: Quaternion, v: Vec3): Vec3 {
   const [w, x, y, z] = q;
   const cx = y * v[2] - z * v[1];
@@ -30,13 +31,13 @@ export function compose(a: Pose, b: Pose): Pose {
   return { p: [a.p[0] + moved[0], a.p[1] + moved[1], a.p[2] + moved[2]], q: multiply(a.q, b.q) };
 }
 
-/** About or along z. */
+/** Returns the motion of a joint about or along its z axis. */
 function motion(kind: "revolute" | "prismatic", position: number): Pose {
   if (kind === "prismatic") return { p: [0, 0, position], q: [1, 0, 0, 0] };
   return { p: [0, 0, 0], q: [Math.cos(position / 2), 0, 0, Math.sin(position / 2)] };
 }
 
-/** One pose per joint, after its own motion, and the tool's. */
+/** Returns the pose of each joint's frame after its own motion, and the pose of the tool. */
 export function forwardKinematics(robot: Robot, positions: ArrayLike<number>): { joints: Pose[]; tool: Pose } {
   let frame: Pose = { p: [0, 0, 0], q: [1, 0, 0, 0] };
   const joints = robot.joints.map((joint, i) => {
@@ -46,7 +47,7 @@ export function forwardKinematics(robot: Robot, positions: ArrayLike<number>): {
   return { joints, tool: compose(frame, robot.tool) };
 }
 
-/** No point of the chain is farther from the base than this. */
+/** Returns an upper bound of the distance of the chain from the base [m]. */
 export function reachOf(robot: Robot): number {
   const lengths = [...robot.joints.map((joint) => joint.p), robot.tool.p].map((p) => Math.hypot(...p));
   const strokes = robot.joints.map((joint) =>

@@ -1,4 +1,4 @@
-// Beside the picture: how close every joint is to its velocity limit now.
+// Bars beside the picture that show how close every joint is to its velocity limit.
 import type { Robot } from "../data";
 import { element } from "../dom";
 import { formatPercent } from "../format";

@@ -1,11 +1,11 @@
-// The replay columns of one run, decoded, and their values at any time.
+// The decoded replay of one run, with its values at any time.
 import type { Run, Vec3 } from "../data";
 import { decodeSeries, sampleAt } from "../decode";
 
 export class Recording {
   readonly dt: number;
   readonly n: number;
-  /** s; from then on the last sample is held. */
+  /** End of the run [s]; afterwards the last sample is held. */
   readonly end: number;
   readonly tool: Float64Array[];
   readonly error: Float64Array;
@@ -34,7 +34,7 @@ export class Recording {
   jointsAt(time: number): number[] {
     return this.positions.map((column) => sampleAt(column, this.dt, time));
   }
-  /** No values after the end: what is held has no velocity. */
+  /** Returns the velocity ratios; NaN after the end of the run. */
   ratiosAt(time: number): number[] {
     if (time > this.end) return this.ratios.map(() => NaN);
     return this.ratios.map((column) => sampleAt(column, this.dt, time));
@@ -49,14 +49,15 @@ export class Recording {
   partAt(index: number, time: number): Vec3 | null {
     return this.pointAt(this.cell[index] ?? [], time);
   }
-  /** The point of the arm that is closest to what it must not touch, and the point that it is closest to. */
+  /** Returns the point of the arm with the smallest clearance, and the nearest point that the arm must not
+   * touch. */
   closestAt(time: number): [Vec3, Vec3] | null {
     const of = this.pointAt(this.closest.slice(0, 3), time);
     const to = this.pointAt(this.closest.slice(3), time);
     return of === null || to === null || time > this.end ? null : [of, to];
   }
 
-  /** An error that nearly all of the run stays below; the few peaks beyond it take the last colour. */
+  /** Returns the 98th percentile of the errors. Larger errors have the last colour of the scale. */
   errorScale(): number {
     const errors = Array.from(this.error)
       .filter((value) => Number.isFinite(value) && value > 0)
@@ -64,7 +65,7 @@ export class Recording {
     return errors[Math.floor(0.98 * (errors.length - 1))] ?? 0;
   }
 
-  /** When a joint came closest to its velocity limit. */
+  /** Returns the time at which a joint came closest to its velocity limit. */
   peakTime(): number {
     let [largest, at] = [-1, 0];
     for (const column of this.ratios) {

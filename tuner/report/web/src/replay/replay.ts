@@ -1,4 +1,4 @@
-// The 3D replay of a scenario with what steers it.
+// The 3D replay of a scenario, with its controls.
 import type { ReportData, Robot, Run, Scenario } from "../data";
 import { element, toggle } from "../dom";
 import { savePng, saveButtons } from "../export";
@@ -22,7 +22,8 @@ export class Replay {
   readonly root: HTMLElement;
   private stage: Stage | null = null;
   private readonly place = element("div", { class: "stage" });
-  /** m; one for all runs, 0 where none tracks a position. */
+  /** Position error with the last colour of the trail [m], the same for all runs; 0 if no run tracks a
+   * position. */
   private readonly errorScale: number;
   private readonly strip = element("div", { class: "strip-place" });
   private readonly state = element("span", { class: "state", role: "status", "aria-live": "off" });
@@ -60,7 +61,7 @@ export class Replay {
     this.setRun(run);
   }
 
-  /** Makes the scene, or gives its memory back. */
+  /** Makes the scene, or frees its memory. */
   setAlive(alive: boolean): void {
     if (alive === this.alive) return;
     this.alive = alive;
@@ -80,7 +81,7 @@ export class Replay {
     this.stage?.setTheme();
   }
 
-  /** The reference, where another run is shown. */
+  /** Returns the run of the first gain set, or null if it is the shown run or has no replay. */
   private reference(): Run | null {
     const first = this.scenario.runs.find((run) => run.set === 0);
     return first === undefined || first === this.run || first.replay.n === 0 ? null : first;
@@ -211,13 +212,13 @@ export class Replay {
     return this.scenario.influence_radius > 0 ? "obstacle and the clearance that the plan keeps" : "obstacle that the plan ignores";
   }
 
-  /** Of some run that can be shown. */
+  /** True if there is a reference run and another run, both with a replay. */
   private hasGhost(): boolean {
     const replayed = this.scenario.runs.filter((run) => run.replay.n > 0);
     return replayed.length > 1 && replayed.some((run) => run.set === 0);
   }
 
-  /** Names nothing that is in no run's picture. */
+  /** Returns the key to the picture, with the items that occur in a run of the scenario. */
   private key(): HTMLElement {
     const { scenario } = this;
     const replays = scenario.runs.map((run) => run.replay).filter((replay) => replay.n > 0);

@@ -1,4 +1,4 @@
-// Geometry of links.
+// Makes the geometry of links.
 import {
   BoxGeometry,
   BufferAttribute,
@@ -10,7 +10,7 @@ import {
 import type { Shape } from "../data";
 import { decodeFloats } from "../decode";
 
-/** three's cylinders stand along y, ours along z. */
+/** Turns a cylinder of three.js, which is along y, to the z axis. */
 function alongZ(geometry: BufferGeometry): BufferGeometry {
   return geometry.rotateX(Math.PI / 2);
 }

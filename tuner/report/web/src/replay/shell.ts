@@ -1,4 +1,5 @@
-// A bubble: nearly clear in the middle, denser towards its rim, so that what is inside stays readable.
+// The material of a bubble. It is nearly transparent in the middle and denser at its rim, so that things
+// inside stay visible.
 import { Color, ShaderMaterial } from "three";
 
 const VERTEX = `

@@ -1,4 +1,5 @@
-// One scenario in the scene: the shown run's arm, the reference's ghost, the tool's trail, what is around.
+// The 3D scene of one scenario: the arm of the shown run, the ghost of the reference, the tool's trail and
+// the surroundings.
 import { Color, Quaternion, SRGBColorSpace, Vector3, type Mesh } from "three";
 import type { Robot, Run, Scenario } from "../data";
 import { rampColour } from "../palette";
@@ -28,7 +29,7 @@ export class Stage {
   private readonly trail: Mesh;
   private readonly scenario: Scenario;
   private time = 0;
-  /** s; how long a trail the tool leaves. */
+  /** Length of the tool's trail [s]. */
   trailLength = 10;
 
   constructor(robot: Robot, scenario: Scenario, run: Run, reference: Run | null, errorScale: number) {
@@ -69,7 +70,7 @@ export class Stage {
     }
     const point = new Vector3(...tool.p);
     const direction = new Vector3(0, 0, 1).applyQuaternion(new Quaternion(tool.q[1], tool.q[2], tool.q[3], tool.q[0]));
-    // Once the shown run is over, the world goes on as the other one has it.
+    // After the end of the shown run, target and obstacles move as in the reference.
     const world = ghost !== null && time > shown.end && ghost.end > shown.end ? ghost : shown;
     const obstacles = this.scenario.obstacles.map((_, i) => world.obstacleAt(i, time));
     this.around.update(point, direction, world.targetAt(time), obstacles);
@@ -97,7 +98,7 @@ export class Stage {
     return tube(points, colours, 0.0048 * reach);
   }
 
-  /** From the side, with the path in the foreground. */
+  /** Looks from the side, with the path in the foreground. */
   private lookAtPath(reach: number): void {
     const centre = new Vector3();
     for (const p of this.scenario.path) centre.add(new Vector3(...p));

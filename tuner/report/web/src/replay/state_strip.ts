@@ -1,10 +1,10 @@
-// What the controller was doing over the whole run, as a strip above the slider.
+// A strip above the slider that shows the states of the controller over the whole run.
 import type { Run, Scenario } from "../data";
 import { element } from "../dom";
 import { isOver } from "../runs";
 import { SLERP_COLOUR, stateColour } from "../palette";
 
-/** Empty once the run is over. */
+/** Returns the state of the controller at a time; empty once the run is over. */
 export function stateAt(run: Run, scenario: Scenario, time: number): string {
   if (isOver(run, time)) return "";
   let state = -1;
@@ -13,7 +13,7 @@ export function stateAt(run: Run, scenario: Scenario, time: number): string {
   return [scenario.states[state] ?? "", slerping ? "slerp" : ""].filter((part) => part !== "").join(" · ");
 }
 
-/** `duration`: s, of the slider below it. */
+/** Returns the strip. `duration`: length of the slider below it [s]. */
 export function stateStrip(run: Run, scenario: Scenario, duration: number): HTMLElement {
   const strip = element("div", { class: "strip", "aria-hidden": true });
   const add = (from: number, to: number, colour: string, kind: string) => {

@@ -1,4 +1,5 @@
-// What stands around the arm: floor, desired path, target with the lines to it, obstacles.
+// The surroundings of the arm: floor, desired path, target with the lines to it, obstacles, and parts of the
+// cell.
 import {
   CylinderGeometry,
   GridHelper,
@@ -36,7 +37,7 @@ class Rod {
   }
 }
 
-/** A part of the cell: grey, so that the arm and what is marked stand out. */
+/** Returns a part of the cell. It is grey, so that the arm and the marks stand out. */
 function part(of: CellPart): Mesh {
   const mesh = new Mesh(
     geometryOf(of.shape),
@@ -97,7 +98,7 @@ export class Surroundings {
     this.pathMaterial?.color.set(cssColor("ink-2"));
   }
 
-  /** Tool's point and the direction of its z axis in the base. */
+  /** Moves target and obstacles. `tool`, `direction`: origin and z axis of the tool in the base frame. */
   update(tool: Vector3, direction: Vector3, target: Vec3 | null, obstacles: (Vec3 | null)[]): void {
     this.target.visible = this.sight.mesh.visible = this.gaze.mesh.visible = target !== null;
     if (target !== null) {
@@ -113,7 +114,7 @@ export class Surroundings {
     });
   }
 
-  /** The centre of each part. */
+  /** Moves the parts of the cell to these centres. A part without a centre is hidden. */
   moveCell(centres: (Vec3 | null)[]): void {
     this.cell.forEach((mesh, i) => {
       const centre = centres[i] ?? null;
@@ -122,7 +123,7 @@ export class Surroundings {
     });
   }
 
-  /** The two points that are closest to each other. */
+  /** Marks the closest points of the arm and of what it must not touch; null: none. */
   markClosest(points: [Vec3, Vec3] | null): void {
     this.closest.mesh.visible = points !== null;
     this.ends.forEach((mesh, i) => {
@@ -157,7 +158,7 @@ export class Surroundings {
       );
     group.add(ball(0.012 * this.reach, 1));
     if (body > 0) group.add(ball(body, 0.45));
-    // It is counted from the body's surface.
+    // The influence radius counts from the surface of the body.
     if (influence > 0) group.add(new Mesh(new SphereGeometry(body + influence, 48, 32), shellMaterial(VERMILLION)));
     return group;
   }

@@ -1,9 +1,10 @@
-// A line with thickness and colours: lines proper are one pixel wide on most machines.
+// A line with thickness and colours. WebGL lines are only one pixel wide on most machines.
 import { BufferAttribute, BufferGeometry, Mesh, MeshBasicMaterial, Vector3 } from "three";
 
 const SIDES = 6;
 
-/** Points in order; colours: one per point. Segment i (from point i to i + 1) is SIDES * 6 indices from i on. */
+/** Returns a tube through the points. colours: one per point. Segment i, from point i to point i + 1, has the
+ * indices from SIDES * 6 * i to SIDES * 6 * (i + 1) - 1. */
 export function tube(points: Vector3[], colours: [number, number, number][], radius: number): Mesh {
   const position = new Float32Array(points.length * SIDES * 3);
   const colour = new Float32Array(points.length * SIDES * 3);
@@ -12,7 +13,7 @@ export function tube(points: Vector3[], colours: [number, number, number][], rad
   const up = new Vector3();
   points.forEach((point, i) => {
     const step = (points[i + 1] ?? point).clone().sub(points[i - 1] ?? point);
-    // Where the tool stands still the frame stays as it was.
+    // While the tool stands still, the tangent keeps its direction.
     if (step.lengthSq() > 1e-16) tangent.copy(step).normalize();
     up.set(0, 0, 1);
     if (Math.abs(tangent.z) > 0.95) up.set(1, 0, 0);

@@ -1,4 +1,4 @@
-// Canvas, camera and light. Draws when something changed, not all the time.
+// Canvas, camera and light of the 3D scene. Draws only after a change.
 import {
   DirectionalLight,
   HemisphereLight,
@@ -53,7 +53,8 @@ export class Viewer {
     this.controls.minDistance = 0.2 * reach;
     this.controls.maxDistance = 8 * reach;
     this.controls.addEventListener("change", () => this.draw());
-    // The wheel and a finger moving up or down go on scrolling the page: only a chosen canvas takes the wheel.
+    // The wheel and a finger moving up or down scroll the page. The wheel zooms only if the canvas has the
+    // focus.
     this.controls.enableZoom = false;
     this.canvas.style.touchAction = "pan-y";
     this.canvas.addEventListener("focus", () => (this.controls.enableZoom = true));
@@ -85,7 +86,7 @@ export class Viewer {
     this.drawNow();
   }
 
-  /** With the next frame. */
+  /** Draws with the next frame. */
   draw(): void {
     if (this.frame !== 0 || this.disposed) return;
     this.frame = requestAnimationFrame(() => {
@@ -98,7 +99,7 @@ export class Viewer {
     if (!this.disposed) this.renderer.render(this.scene, this.camera);
   }
 
-  /** The picture as it is, on the page's colour. */
+  /** Returns the present picture on the background colour of the stage. */
   picture(): HTMLCanvasElement {
     this.drawNow();
     const copy = document.createElement("canvas");
@@ -142,7 +143,7 @@ export class Viewer {
     this.draw();
   }
 
-  /** From the target to the camera, with y up as Spherical has it. */
+  /** Returns the vector from the target to the camera, with y up as Spherical expects. */
   private offset(): Vector3 {
     const seen = this.camera.position.clone().sub(this.controls.target);
     return new Vector3(seen.x, seen.z, -seen.y);

@@ -1,4 +1,4 @@
-// The search: every evaluation, and the best feasible one so far.
+// The section with the search: every evaluation, and the best feasible one so far.
 import type { Evaluations, ReportData } from "../data";
 import { element } from "../dom";
 import { formatNumber } from "../format";
@@ -11,7 +11,7 @@ import { legendEntries, legendOf } from "../plots/legend";
 import { readMarks, type Mark } from "../plots/read_marks";
 import { section, type Section } from "./section";
 
-/** Objectives that span more than this are read better on a logarithmic axis. */
+/** If the largest objective is more than this many times the smallest, the axis is logarithmic. */
 const LOG_FROM = 30;
 
 function seriesOf(evaluations: Evaluations): ChartSeries[] {
@@ -44,7 +44,7 @@ function marksOf(evaluations: Evaluations, series: ChartSeries[]): Mark[] {
       native?.[i] === true ? "in the native engine" : "",
       feasible[i] === true ? "feasible" : `infeasible${missed === null ? "" : `, violation ${formatNumber(missed)}`}`,
     ];
-    // Not the line of the best: of the plain marks, the one it is among.
+    // The series of marks that contains the evaluation, not the line of the best.
     const own = series.findIndex((one) => one.marks !== undefined && one.values[i] !== null);
     const text = `Evaluation ${numberOf(evaluations, i)}: objective ${formatNumber(value)} (${parts.filter((part) => part !== "").join(", ")})`;
     return [{ x: numberOf(evaluations, i), y: value, series: own, text }];
@@ -57,7 +57,8 @@ function chartOf(evaluations: Evaluations, told: HTMLElement): HTMLElement {
   const values = objective.filter((value): value is number => value !== null);
   const runs = evaluations.thinned?.more_phase_runs === true ? [] : phaseRuns(evaluations);
   const bands = (): Band[] =>
-    // Every other phase; of two, the first is the start alone and needs none.
+    // Every second phase has a band. With only two phases, the first is the start alone, and there are no
+    // bands.
     runs.filter((_, i) => runs.length > 2 && i % 2 === 1).map((run) => ({ from: run.from - 0.5, to: run.to + 0.5, colour: withAlpha("#888888", 0.12) }));
   const chart: Chart = new Chart(
     {

@@ -1,4 +1,4 @@
-// The trade-off front, two criteria at a time.
+// The section with the trade-off front. It shows two criteria at a time.
 import type { Front, ReportData } from "../data";
 import { element } from "../dom";
 import { formatNumber, formatValue, formatUnit } from "../format";
@@ -17,10 +17,11 @@ interface Names {
 type Role = Front["points"][number]["role"];
 const ROLES: Record<Role, string> = { start: "start", chosen: "chosen", shown: "shown here", point: "" };
 
-/** A limit farther away than this many times what the points span would leave them no room: it is said, not drawn. */
+/** A limit farther away than this many times the span of the points is not drawn, because it would leave them
+ * no room. A note names it. */
 const FAR = 2;
 
-/** The limits of a criterion that are drawn, and those that are too far. */
+/** Returns the limits of a criterion that are drawn, and those that are too far away. */
 export function limitsOf(front: Pick<Front, "limits" | "points">, criterion: number): { near: number[]; far: number[] } {
   const values = front.points.map((point) => point.values[criterion] ?? NaN).filter(Number.isFinite);
   const [low, high] = [Math.min(...values), Math.max(...values)];
@@ -37,7 +38,7 @@ function wordsOf(front: Front, point: Front["points"][number]): string {
   return `${point.label}${notes.length > 0 ? ` (${notes.join(", ")})` : ""}: ${values.join(", ")}`;
 }
 
-/** "start (published)" where the run says whose gains it began with. */
+/** Returns, for example, "start (published)" if the run names its start gains. */
 function startOf(points: Front["points"]): string {
   const label = points.find((point) => point.role === "start")?.label ?? "";
   return label.startsWith(ROLES.start) ? label : ROLES.start;
@@ -114,7 +115,7 @@ export function frontSection(data: ReportData): Section | null {
   if (front === undefined || front.criteria.length < 2 || front.points.length === 0) return null;
   const place = element("div", { class: "plot-place tall" });
   const told = element("p", { class: "told", role: "status" }, "Point at a mark to read it, or step through the marks with ← and →.");
-  // A tuning run has no front but all that its search came by.
+  // A tuning run has no front, only the evaluations of its search.
   const names: Names =
     data.kind === "pareto"
       ? { heading: "Trade-off front", points: "front" }

@@ -1,4 +1,4 @@
-// Every gain before and after, on the scale of its bounds.
+// The section with the gains: every gain before and after, on the scale of its bounds.
 import type { Gain, ReportData } from "../data";
 import { element, svg } from "../dom";
 import { formatNumber, withUnit } from "../format";

@@ -1,4 +1,4 @@
-// How much delay, gain, noise and the like each set stands.
+// The section with the stability margins of each gain set.
 import type { Margin, ReportData } from "../data";
 import { breakable, element } from "../dom";
 import { formatUnit } from "../format";

@@ -1,14 +1,14 @@
-// What holds a plan back, how far it uses every limit, and how well it was solved.
+// The section about a plan: its active limits, the used share of every limit, and how well it was solved.
 import type { PlanLimit, ReportData } from "../data";
 import { breakable, element, type Child } from "../dom";
 import { formatNumber, formatPercent, withUnit } from "../format";
 import { boundWords } from "../plots/limit_lines";
 import { section, type Section } from "./section";
 
-/** Of a limit's share: four digits past the point tell what is at it from what is a little beyond. */
+/** Returns a share of a limit, in percent with two decimals, to distinguish 100 % from a little more. */
 const share = (value: number | null) => (value === null ? "–" : formatPercent(value, 2));
 
-/** "0.0152 to 0.1358 s", and how many more. */
+/** Returns, for example, "0.015 to 0.136 s", and the number of further time intervals. */
 export function stretchWords(limit: Pick<PlanLimit, "active_lower" | "active_upper">): string {
   const MOST = 3;
   const all = [...limit.active_lower, ...limit.active_upper].sort((a, b) => a[0] - b[0]);
@@ -17,7 +17,7 @@ export function stretchWords(limit: Pick<PlanLimit, "active_lower" | "active_upp
   return told.length === 0 ? "" : `${told.join(", ")} s${more}`;
 }
 
-/** Those that hold the plan back, the strongest first. */
+/** Returns the limits that restrict the plan, the strongest first. */
 export function binding(limits: PlanLimit[]): PlanLimit[] {
   return limits.filter((limit) => limit.strength > 0).sort((a, b) => b.strength - a.strength);
 }

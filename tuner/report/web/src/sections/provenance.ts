@@ -1,4 +1,4 @@
-// Where all this comes from, and how to make it again.
+// The section about the origin of the results, with the command that repeats the run.
 import type { ReportData } from "../data";
 import { breakable, element } from "../dom";
 import { section, type Section } from "./section";
@@ -12,7 +12,7 @@ export function provenanceSection(data: ReportData): Section {
     getSelection()?.removeAllRanges();
     getSelection()?.addRange(range);
     const done = () => (copy.textContent = "Copied");
-    // Without the right to the clipboard the command stays selected, for Ctrl-C.
+    // If the page may not use the clipboard, the command stays selected for Ctrl-C.
     navigator.clipboard?.writeText(data.provenance.command).then(done, () => undefined);
   });
   const list = element("dl");

@@ -1,4 +1,4 @@
-// One gain set on many arms: yield, spread of the metrics, the worst arms.
+// The section about a gain set on many random arms: yield, spread of the metrics, the worst arms.
 import type { Histogram, ReportData } from "../data";
 import { element, svg } from "../dom";
 import { fileName, formatNumber, formatPercent, formatUnit, formatValue } from "../format";

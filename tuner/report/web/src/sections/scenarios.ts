@@ -1,4 +1,4 @@
-// 3D replay and time plots: one scenario at a time, each with a time of its own.
+// The section with 3D replay and time plots. It shows one scenario at a time. Each has its own playhead.
 import type { ReportData, Run, Scenario } from "../data";
 import { element, toggle } from "../dom";
 import { whenVisible } from "../lazy";
@@ -33,7 +33,8 @@ class Panel {
     onTheme(() => this.replay?.setTheme());
   }
 
-  /** Made when it is opened and in view for the first time; the scene lives only while it is open. */
+  /** Opens or closes the panel. Its content is made when it is first open and in view. The 3D scene exists
+   * only while it is open. */
   setOpen(open: boolean): void {
     this.open = open;
     this.root.hidden = !open;
@@ -74,7 +75,7 @@ class Panel {
     return this.scenario.runs.some((run) => noReplay(run, hasRobot, "") === "");
   }
 
-  /** Of the last shown run, or words in its place. */
+  /** Shows the replay of the last shown run, or the reason why there is none. */
   private showReplay(): void {
     const run = this.lastShown();
     if (run === undefined) return;
@@ -91,7 +92,7 @@ class Panel {
     this.replay.setAlive(this.open);
   }
 
-  /** Where there are several, each scenario says whose it is. */
+  /** Returns the name of the arm, or null if the run has only one arm. */
   private armName(): HTMLElement | null {
     const robot = this.data.robots[this.scenario.robot];
     return this.data.robots.length < 2 || robot === undefined ? null : element("p", { class: "note arm-name" }, `Arm: ${robot.name}`);
@@ -105,7 +106,7 @@ class Panel {
       );
   }
 
-  /** Which sets are drawn, and what the bands mean. */
+  /** Returns buttons to show and hide gain sets, and the meaning of the bands. */
   private key(): HTMLElement {
     const sets = element("div", { class: "sets", role: "group", "aria-label": "Gain sets in the plots" });
     if (this.scenario.runs.length > 1) {
@@ -153,7 +154,7 @@ function inWindow(place: Element): boolean {
   return box.bottom > 0 && box.top < innerHeight;
 }
 
-/** Keys that work wherever nothing else wants them. */
+/** Moves the time by keys, unless the element with the focus uses these keys itself. */
 function steerByKeys(current: () => Panel | undefined): void {
   const steps: Record<string, number> = { ArrowLeft: -0.1, ArrowRight: 0.1, PageUp: -1, PageDown: 1 };
   document.addEventListener("keydown", (event) => {
@@ -172,7 +173,7 @@ function steerByKeys(current: () => Panel | undefined): void {
       if (step === undefined || target.matches("select, input:not(.scrub), textarea, [role=tab], .scroll")) return;
       if (event.key.startsWith("Page") && !inReplay) return;
       playhead.pause();
-      // Finer in what is over within seconds.
+      // The steps are smaller in a short run.
       playhead.seek(playhead.time + step * Math.min(1, playhead.duration / 5));
     }
     event.preventDefault();

@@ -1,9 +1,9 @@
-// A part of the page: heading, anchor, content.
+// A section of the page: heading, anchor and content.
 import { element, type Child } from "../dom";
 
 export interface Section {
   id: string;
-  /** In the list of contents. */
+  /** Name in the table of contents. */
   short: string;
   root: HTMLElement;
 }

@@ -1,4 +1,4 @@
-// Which gains matter.
+// The section that shows which gains matter.
 import type { ReportData } from "../data";
 import { element, svg } from "../dom";
 import { formatNumber } from "../format";

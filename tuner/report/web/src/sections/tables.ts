@@ -1,13 +1,13 @@
-// Before and after, scenario by scenario.
+// The section with the metrics before and after, scenario by scenario.
 import type { MetricRow, ReportData, Table } from "../data";
 import { breakable, element, type Child } from "../dom";
 import { changeOf, formatNumber, formatRatio, ratioOf, formatUnit, type Change } from "../format";
 import { section, type Section } from "./section";
 
-/** Beside the ratio, so that no colour is needed to tell them apart. */
+/** Words beside the ratio, so that the reader does not depend on colours. */
 const WORDS: Record<Change, string> = { better: "better", worse: "worse", same: "same", none: "" };
 
-/** Of a set to the first. */
+/** Returns the ratio of a set to the first one, and the kind of the change. */
 function ratioParts(row: MetricRow, set: number): { kind: Change; parts: Child[] } {
   const [before, after] = [row.values[0], row.values[set]];
   const kind = changeOf(before, after, row.better);
@@ -16,7 +16,8 @@ function ratioParts(row: MetricRow, set: number): { kind: Change; parts: Child[]
   return { kind, parts: [text, element("span", { class: "way" }, WORDS[kind])] };
 }
 
-/** With more than two sets each value has its ratio below it; with two the ratio has a column. */
+/** Returns the cell of a value. With more than two sets, the ratio is below the value; with two, it has a
+ * column of its own. */
 function valueCell(row: MetricRow, set: number, withRatio: boolean): HTMLElement {
   const text = row.text?.[set] ?? "";
   const ratio = withRatio && row.values[set] !== null ? ratioParts(row, set) : null;
@@ -44,7 +45,7 @@ function rowName(row: MetricRow): HTMLElement {
   );
 }
 
-/** What did not complete, with when, where and why. */
+/** Returns a line for each set that did not complete: when, where and why. */
 function troublesOf(table: Table, sets: string[]): HTMLElement[] {
   return table.status.flatMap((status, set) => {
     if (status === "completed" || status === "") return [];

@@ -1,10 +1,10 @@
-// The first thing that is read.
+// The first section: the verdict of the run.
 import type { ReportData } from "../data";
 import { element } from "../dom";
 import { unbroken } from "../format";
 import type { Section } from "./section";
 
-/** Characters; a longer sentence is set smaller, so that the numbers below it stay in sight. */
+/** A sentence with more characters has smaller letters, so that the numbers below it stay in view. */
 const LONG = 140;
 
 export function verdictSection(data: ReportData): Section {

@@ -1,4 +1,5 @@
-// Each switch, return and lap beside the best that the arm's limits allow.
+// The section that compares each switch of the target, return to the path, and lap with the best that the
+// arm's limits allow.
 import type { ReportData, YardstickEvent } from "../data";
 import { breakable, element, svg } from "../dom";
 import { formatNumber, formatRatio, unbroken } from "../format";
@@ -12,12 +13,12 @@ const KINDS: Record<YardstickEvent["event"], { heading: string; file: string }> 
   lap: { heading: "Gaze error of a lap, RMS", file: "yardstick-laps" },
 };
 
-/** Radians are shown as mrad: what is left of them is small. */
+/** Returns mrad for radians, because the values are small. */
 function shownUnit(unit: string): { unit: string; factor: number } {
   return unit === "rad" ? { unit: "mrad", factor: 1e3 } : { unit, factor: 1 };
 }
 
-/** "realistic_target_switch, 8 s"; with several sets which one. */
+/** Returns, for example, "realistic_target_switch, 8 s"; with several gain sets, also the set. */
 function nameOf(one: YardstickEvent, sets: string[]): string {
   const set = sets.length > 1 ? ` (${sets[one.set] ?? ""})` : "";
   return `${one.scenario}, ${formatNumber(one.time, 4)} s${set}`;
@@ -55,7 +56,7 @@ function bars(events: YardstickEvent[], sets: string[]): HTMLElement | null {
         const bar = (value: number, below: number, kind: string) =>
           svg("rect", { x: left, y: top + below, width: Math.max(at(value) - left, 1), height: 8, class: kind }, svg("title", {}, one.words));
         into.append(label(0, y + 16, fitted(nameOf(one, sets), narrow ? width - 10 : left - 12)));
-        // No bar where there is no value: a short one would be a small value.
+        // A missing value has no bar, because a short bar would mean a small value.
         if (one.reached !== null) into.append(bar(reached, 0, "bar-main"));
         if (one.limit !== null) into.append(bar(limit, 9, "bar-side"));
         into.append(label(at(Math.max(reached, limit)) + 6, top + 12, figures, "start", "faint"));
