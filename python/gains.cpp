@@ -1,4 +1,4 @@
-// Gains by name, as arrays onto their numbers.
+// Binds Gains, which give access to each gain by name, as a NumPy array without a copy.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,7 +34,7 @@ std::vector<std::string> names(const armtune::Gains& self) {
   return all;
 }
 
-/// Numbers: an array onto them; switches: True, False or a word.
+/// Returns numbers as an array that shares their memory, and switches as True, False or a word.
 py::object get(const py::object& self, const std::string& name) {
   auto& gains = self.cast<armtune::Gains&>().inside();
   const GainField& field = field_of(gains, name);
@@ -44,14 +44,14 @@ py::object get(const py::object& self, const std::string& name) {
     const auto n = self.cast<armtune::Gains&>().joints().size();
     const auto* forces = std::get_if<ForceGains Gains::*>(&field.member);
     if (forces == nullptr || !is_per_joint(gains.**forces, static_cast<int>(n))) return flat;
-    return flat.attr("reshape")(n, n);  // of the same memory
+    return flat.attr("reshape")(n, n);  // shares the memory
   }
   const std::string text = field_text(gains, field);
   if (std::holds_alternative<bool Gains::*>(field.member)) return py::bool_(text == "true");
   return py::str(text);
 }
 
-/// One number for each of n force points, or n rows of n, one for each force point.
+/// Converts one number for each of n force points, or n rows of n numbers, one row for each force point.
 ForceGains force_gains_of(const std::string& name, const py::object& value, py::ssize_t n) {
   const auto given = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
   if (!given) {
@@ -128,7 +128,7 @@ void bind_gains(py::module_& module) {
                              "Names of the arm's joints, in the order of joint vectors.")
       .def_property_readonly("controller",
                              [](const armtune::Gains& self) { return self.inside().controller; })
-      .def("keys", &names, "Names of the gains.")
+      .def("keys", &names, "Returns the names of the gains.")
       .def("__getitem__", &get, py::arg("name"),
            "Returns the numbers of a gain as a NumPy array. Writing into the array changes the gains. "
            "Switches and words are returned as bool and str. force_control_gains is n x n if each joint "

@@ -1,4 +1,4 @@
-// Scenarios, and what becomes of them under gains.
+// Binds robots, scenarios, and the simulation of scenarios with gains.
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -62,7 +62,7 @@ py::object simulate_any(const std::vector<Scenario>& scenarios, const py::object
                         double deadline, py::object progress) {
   SimulateOptions options = options_of(engine, stepper, workers, record_every, deadline);
   if (py::isinstance<Gains>(gains)) {
-    const auto set = gains.cast<Gains>();  // a copy: the caller's may change meanwhile
+    const auto set = gains.cast<Gains>();  // a copy: the caller may change its object meanwhile
     return py::cast(watched(std::move(progress), [&](const Watch& watch) {
       options.watch = watch;
       return armtune::simulate(scenarios, set, options);
@@ -94,10 +94,12 @@ void bind_scenario(py::module_& module) {
       .def_property_readonly("name", [](const Robot& self) { return as_utf8(self.name()); })
       .def_property_readonly("joints", &Robot::joints,
                              "Joint names from the base to the tool, in the order of joint vectors.")
-      .def_property_readonly("velocity_limits", &Robot::velocity_limits, "[rad/s, m/s]")
-      .def_property_readonly("effort_limits", &Robot::effort_limits, "[N m, N]")
-      .def_property_readonly("lower_position_limits", &Robot::lower_position_limits, "[rad, m]")
-      .def_property_readonly("upper_position_limits", &Robot::upper_position_limits, "[rad, m]");
+      .def_property_readonly("velocity_limits", &Robot::velocity_limits, "Velocity limits [rad/s, m/s].")
+      .def_property_readonly("effort_limits", &Robot::effort_limits, "Effort limits [N m, N].")
+      .def_property_readonly("lower_position_limits", &Robot::lower_position_limits,
+                             "Lower position limits [rad, m].")
+      .def_property_readonly("upper_position_limits", &Robot::upper_position_limits,
+                             "Upper position limits [rad, m].");
   module.def(
       "load_robot", [](const std::filesystem::path& name) { return Robot::load(name.string()); },
       py::arg("name"), "Loads a bundled robot by name, or a robot file or URDF by path.");
@@ -113,7 +115,7 @@ void bind_scenario(py::module_& module) {
       .def_property_readonly("joints", [](const Scenario& self) { return self.robot().joints(); });
   module.def(
       "load_scenario", [](const std::filesystem::path& name) { return Scenario::load(name.string()); },
-      py::arg("name"), "Loads a bundled scenario by name, or a file by path.");
+      py::arg("name"), "Loads a bundled scenario by name, or a scenario file by path.");
 }
 
 }  // namespace
@@ -141,10 +143,10 @@ void bind_rollouts(py::module_& module) {
           "broken_limits", &Rollout::broken_limits,
           "The arm's limits that were exceeded, one sentence each. None if the limits were not "
           "checked: with several gain sets, on random arms, and in an objective function of your own.")
-      .def_property_readonly(
-          "columns", &columns,
-          "All columns by name, as read-only NumPy arrays without a copy: pandas.DataFrame(rollout.columns).")
-      .def("keys", &Rollout::columns, "Names of the columns.")
+      .def_property_readonly("columns", &columns,
+                             "All columns by name, as read-only NumPy arrays without a copy. "
+                             "pandas.DataFrame(rollout.columns) makes a table of them.")
+      .def("keys", &Rollout::columns, "Returns the names of the columns.")
       .def("__getitem__", &column, py::arg("name"),
            "Returns a column as a read-only NumPy array, without a copy.")
       .def("__contains__",
@@ -152,7 +154,7 @@ void bind_rollouts(py::module_& module) {
              return std::find(self.columns().begin(), self.columns().end(), name) != self.columns().end();
            })
       .def("__iter__", [](const Rollout& self) { return py::iter(py::cast(self.columns())); })
-      .def("__len__", &Rollout::rows, "Number of rows, one for each recorded time.")
+      .def("__len__", &Rollout::rows, "Returns the number of rows, one for each recorded time.")
       .def("__bool__", [](const Rollout&) { return true; })
       .def("__repr__", [](const Rollout& self) { return as_utf8(repr_of(self)); });
   module.def(

@@ -1,4 +1,4 @@
-// Studies, their searches, and the verdicts on what was found.
+// Binds studies, their searches, and the verdicts on the gains that were found.
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -22,10 +22,11 @@ using armtune::Gains;
 using armtune::Scenario;
 using armtune::Study;
 
-/// What the function raises ends the search, and is raised again where it was begun.
+/// Converts a Python function. An exception of the function ends the search, and is raised again by the call
+/// that started the search.
 std::function<double(const std::vector<Rollout>&)> objective_of(py::object function) {
   if (function.is_none()) return {};
-  // Copies are made and destroyed by threads without Python's lock.
+  // Threads that do not hold the GIL copy and destroy the function.
   const std::shared_ptr<py::object> kept(new py::object(std::move(function)), [](py::object* held) {
     const py::gil_scoped_acquire lock;
     delete held;
@@ -47,7 +48,7 @@ Study make_study(const py::object& description, const std::optional<std::vector<
   if (scenarios) inputs.scenarios = *scenarios;
   inputs.start = gains;
   inputs.objective = objective_of(std::move(objective));
-  // What JSON writes is YAML too.
+  // JSON is also valid YAML.
   const auto text = py::isinstance<py::str>(description)
                         ? description.cast<std::string>()
                         : py::module_::import("json").attr("dumps")(description).cast<std::string>();
@@ -102,8 +103,10 @@ void bind_study(py::module_& module) {
       .def_property_readonly("start", &Study::start)
       .def_property_readonly("parameters", &Study::parameters,
                              "Names of the tuned gains, or of their components.")
-      .def_property("max_evaluations", &Study::max_evaluations, &Study::set_max_evaluations,
-                    "Budget of evaluations, including the start gains and the sweep.")
+      .def_property(
+          "max_evaluations", &Study::max_evaluations, &Study::set_max_evaluations,
+          "Largest number of evaluations, including the start gains and the sweep, a coarse grid around "
+          "them.")
       .def_property(
           "seed", &Study::seed,
           [](Study& self, std::int64_t seed) {
@@ -117,8 +120,8 @@ void bind_study(py::module_& module) {
         return Study::load(name.string(), controller);
       },
       py::arg("name"), py::arg("controller") = "",
-      "Loads a bundled study by name, or a file by path. controller: name of a controller to tune instead of "
-      "the study's controller.");
+      "Loads a bundled study by name, or a study file by path. controller: name of a controller to tune "
+      "instead of the study's controller.");
   module.def(
       "make_study", &make_study, py::arg("description"), py::kw_only(), py::arg("scenarios") = py::none(),
       py::arg("gains") = py::none(), py::arg("objective") = py::none(),
@@ -138,11 +141,11 @@ void bind_evaluator(py::module_& module) {
       .def_property_readonly("feasible", [](const TunePoint& self) { return self.violation == 0.0; })
       .def_readonly(
           "constraints", &TunePoint::constraints,
-          "By how much each constraint is broken, relative to its limit; 0 or less: it is kept. The "
-          "last one is kept if every scenario completed.");
+          "Violation of each constraint, relative to its limit; 0 or less: the constraint is kept. One more "
+          "value follows; it is 0 or less if every scenario completed.");
   py::class_<Evaluator, std::shared_ptr<Evaluator>>(
       module, "Evaluator", made_by_armtune(),
-      "Simulates gains of a study as its search does, for an optimiser of your own.")
+      "Simulates and scores gains of a study in the same way as its search, for an optimiser of your own.")
       .def_property_readonly("start", &Evaluator::start, "The evaluation of the start gains.")
       .def(
           "evaluate",
@@ -152,8 +155,8 @@ void bind_evaluator(py::module_& module) {
           },
           py::arg("points"), py::kw_only(), py::arg("progress") = py::none(),
           "Evaluates points, given as a list of lists or an array with one row each. Returns one TunePoint "
-          "each, in order. Not from several threads at once.")
-      .def("gains_at", &Evaluator::gains_at, py::arg("point"), "Gains at a point.")
+          "for each point, in order. Do not call it from several threads at once.")
+      .def("gains_at", &Evaluator::gains_at, py::arg("point"), "Returns the gains at a point.")
       .def_property_readonly("simulated", &Evaluator::simulated,
                              "Simulated time of all rollouts so far [s].");
   module.def(
@@ -166,7 +169,7 @@ void bind_evaluator(py::module_& module) {
           try {
             return std::make_shared<Evaluator>(given, options, watch);
           } catch (const FailedError&) {
-            if (*watch.stop) return nullptr;  // Interrupted, with None
+            if (*watch.stop) return nullptr;  // raises Interrupted with the result None
             throw;
           }
         };
@@ -205,7 +208,7 @@ void bind_searches(py::module_& module) {
               engines.emplace_back(point.engine == armtune::Engine::kNative ? "native" : "simbody");
             return engines;
           },
-          "Engine of every evaluation. Tuned.objective is always from Simbody.")
+          "Engine of every evaluation. Unless the search was interrupted, Tuned.objective is from Simbody.")
       .def_readonly("parameters", &Tuned::parameters,
                     "Names of the tuned gains or components, in the order of the columns of points.")
       .def_property_readonly(
@@ -257,7 +260,7 @@ void bind_searches(py::module_& module) {
       py::arg("study"), py::arg("criteria"), py::kw_only(), py::arg("folder") = py::none(),
       py::arg("resume") = false, py::arg("workers") = 1, py::arg("levels") = 0,
       py::arg("max_evaluations") = 0, py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
-      "Searches the Pareto front of two or three criteria. Each criterion is the name of a metric or "
+      "Searches for the Pareto front of two or three criteria. Each criterion is the name of a metric or "
       "'objective'. levels: number of upper bounds to try for each criterion except the first. levels and "
       "max_evaluations: 0 selects the default.");
 }

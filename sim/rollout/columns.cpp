@@ -50,7 +50,7 @@ void add_joint(std::vector<Column>& columns, const JointInfo& joint, int i, bool
        Over::kLargest});
 }
 
-/// Where the plan has a joint; no value in states that do not follow it.
+/// Adds the planned position of a joint and its error. Both are empty in states that do not follow the plan.
 void add_planned(std::vector<Column>& columns, const std::string& joint, int i, bool revolute) {
   const std::string tree = "joint/" + joint + "/";
   const auto planned = [i](const Observation& o) {
@@ -63,7 +63,7 @@ void add_planned(std::vector<Column>& columns, const std::string& joint, int i, 
                      [i, planned](const Observation& o) { return (*o.q)[i] - planned(o); }});
 }
 
-/// The smallest distances of each kind, and the two points that are closest to each other.
+/// Adds the smallest distance of each kind, and the two points that are closest to each other.
 void add_clearance(std::vector<Column>& columns, const Scenario& scenario) {
   const auto now = std::make_shared<ClearanceNow>(scenario.clearance);
   const auto seen = [now](const Observation& o) -> const ClearanceNow& {
@@ -100,7 +100,7 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
       {"state", "1",
        "0 leaveSingularity, 1 returnToTrajectory, 2 followTrajectory, 3 avoidObstacles, 4 followPlan",
        [](const Observation& o) { return static_cast<double>(o.control->state); }});
-  columns.push_back({"slerping", "1", "1 while a slerp runs",
+  columns.push_back({"slerping", "1", "1 while a slerp (a turn between two orientations) runs",
                      [](const Observation& o) { return o.control->slerping ? 1.0 : 0.0; }});
   add_vector(columns, "tool/position", "m", "tool position in the base frame",
              [](const Observation& o) { return o.poses->p_0T; });

@@ -14,7 +14,8 @@ namespace armtune::internal {
 std::string diverged_joint(const RobotModel& model, const JointVector& q, const JointVector& qd) {
   for (int i = 0; i < model.n(); ++i) {
     const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
-    if (!std::isfinite(q[i]) || !std::isfinite(qd[i])) return fmt::format("{} is not finite", joint.name);
+    if (!std::isfinite(q[i]) || !std::isfinite(qd[i]))
+      return fmt::format("the position or velocity of {} is not finite", joint.name);
     if (std::abs(qd[i]) > kDivergedRatio * joint.limits.velocity) {
       return fmt::format("{} moves at {:.3g}, over {} times its velocity limit {:.3g}", joint.name, qd[i],
                          kDivergedRatio, joint.limits.velocity);
@@ -33,7 +34,8 @@ std::string unstable_damping(const PreparedScenario& prepared, const JointState&
   if (!measured.q.allFinite() || !measured.qd.allFinite() || !Kd.allFinite()) return {};
   const double h = prepared.scenario.control_period;
   const double limit = damping_limit(prepared.scenario.plant.torque_delay_periods);
-  // (M^-1)_ii Kd_i h is no more than the largest eigenvalue of M^-1 Kd h: beyond the limit, one is unstable.
+  // The largest eigenvalue of M^-1 Kd h is at least (M^-1)_ii Kd_i h. If this exceeds the limit for any
+  // joint, the loop is unstable. c: coefficient of the joint's friction, which damps too.
   const JointVector inertia = joint_inertia(plant, measured.q);
   int worst = -1;
   double largest = limit;

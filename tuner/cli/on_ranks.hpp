@@ -34,8 +34,8 @@ inline constexpr const char* kWorkersHelp =
 /// Default of --workers as --help shows it. It does not depend on this machine.
 inline constexpr const char* kWorkersDefault = "one per processor";
 inline constexpr const char* kDeadlineHelp =
-    "wall-clock time limit of one rollout [s]; beyond it the run ends with an error (default: 20, plus 2 per "
-    "simulated second)";
+    "wall-clock time limit of one rollout (the simulation of one scenario) [s]; beyond it the run ends with "
+    "an error (default: 20, plus 2 per simulated second)";
 /// Help text of --rollout-deadline in commands that simulate each scenario independently.
 inline constexpr const char* kScenarioDeadlineHelp =
     "wall-clock time limit of one scenario [s]; beyond it the scenario is interrupted (default: 20, plus 2 "

@@ -1,4 +1,5 @@
-// armtune pareto: the front of a study, point by point, each with gains that a robot can load.
+// The command `armtune pareto`, which finds the Pareto front of a study. Each point of the front has gains
+// that a robot can load.
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -16,7 +17,7 @@ namespace {
 
 struct Arguments {
   std::string study;
-  std::string controller;  ///< in place of the study's; empty: its own
+  std::string controller;  ///< controller to tune; empty: the study's
   long seed = -1;
   FrontSettings settings = {};
 };
@@ -62,7 +63,8 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(2, 1000));
   command
       ->add_option("--max-evaluations", settings.max_evaluations,
-                   "number of evaluations (default: four times the number in the study)")
+                   "number of evaluations; each simulates every scenario with one gain set (default: four "
+                   "times the number in the study)")
       ->check(CLI::Range(1L, 1000000000L));
   command
       ->add_option("--seed", args->seed,

@@ -1,4 +1,4 @@
-// armtune plan: a trajectory offline, the best that the arm's limits allow.
+// The command `armtune plan`, which plans the best trajectory that the arm's limits allow.
 
 #include <fmt/format.h>
 
@@ -34,7 +34,8 @@ std::string tasks() {
 constexpr const char* kFooter =
     "Kinds of tasks:\n"
     "  move     reach a joint position\n"
-    "  track    follow the tool path and keep the gaze on the targets, with the least error\n"
+    "  track    follow the tool path and keep the gaze (the tool's z axis) on the targets, with the least\n"
+    "           error\n"
     "  switch   turn the gaze to the next target while the tool stays on its path\n"
     "  return   move the tool back onto its moving path\n"
     "  fastest  follow the curve of the path in the least time\n\n"
@@ -42,11 +43,11 @@ constexpr const char* kFooter =
     "acceleration and jerk that the task gives. The task can also give the start acceleration, with the key\n"
     "'acceleration' under 'start'. Without this key it is zero in two cases: the arm starts at rest and the\n"
     "task has jerk limits, or the task is a 'move' without 'start'. Otherwise the planner chooses it.\n"
-    "Limits of torque, tool path, gaze and distance are kept at the knots of the time grid only. How\n"
-    "much of these limits the motion uses between the knots is printed, and listed in limits.csv. The\n"
-    "folder also has motion.csv (the motion at equal time steps) and report.html (replay and limits). In a scenario with a 'cell' the arm keeps its clearance\n"
-    "from the cell and from itself. Without a cell these collisions are not checked. Run a trajectory\n"
-    "slowly first.\n\n"
+    "Limits of torque, tool path, gaze and distance are kept only at the knots, which are the points of\n"
+    "the time grid. How much of these limits the motion uses between the knots is printed, and listed in\n"
+    "limits.csv. The folder also has motion.csv (the motion at equal time steps) and report.html (replay\n"
+    "and limits). In a scenario with a 'cell' the arm keeps its clearance from the cell and from itself.\n"
+    "Without a cell these collisions are not checked. Run a trajectory slowly first.\n\n"
     "Bundled tasks:\n";
 constexpr const char* kExample =
     "\nExample that plans a motion, and simulates an arm that follows it:\n"

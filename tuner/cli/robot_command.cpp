@@ -1,4 +1,5 @@
-// armtune robot: what was loaded, a file for what is missing, and a first task.
+// The command `armtune robot`, which shows an arm. It can also write a file for missing values, and a first
+// task.
 
 #include <fmt/format.h>
 
@@ -42,9 +43,9 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
       "\nwrote {0}: {1}task.yaml (a circle with a radius of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"
       "and {4:.2g} of its effort limits{5}.\n"
-      "In the native engine, which is armtune's own dynamics, it keeps its limits for 30 minutes. Nearly\n"
-      "all of 60 random arms keep their position and velocity limits there in one run of the task, and\n"
-      "their torques saturate in at most 1 % of the control periods.\n"
+      "In the native engine, which is armtune's own dynamics, it keeps its limits for 30 minutes. In one\n"
+      "run of the task in this engine, nearly all of 60 randomly changed arms keep their position and\n"
+      "velocity limits, and their torques saturate in at most 1 % of the control periods.\n"
       "next: armtune tune {0}/study.yaml\n",
       folder, found.robot_yaml.empty() ? "" : "robot.yaml (rotor inertia estimated), ",
       found.task.scenario.path.terms[0].cosine.norm(), found.metrics[Metric::kJointVelocityMaxRatio],
@@ -55,7 +56,8 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
             "uses at most\n0.9 of these limits"));
 }
 
-/// Loads and shows it, or says all that it lacks.
+/// Shows the arm, and writes the first task if asked for. Throws InputError that names all missing values, if
+/// there are any. With `sidecar`, only writes that file.
 void look_at(const std::string& name_or_path, const std::string& sidecar, const std::string& task,
              const TaskOptions& options) {
   const RobotFile file = read_robot_file(name_or_path);

@@ -1,4 +1,5 @@
-// armtune robustness: how many arms that differ from the model keep their limits under a gain set.
+// The command `armtune robustness`, which simulates a gain set on many randomly changed models of the arm. It
+// counts how many of them keep their limits.
 
 #include <fmt/format.h>
 
@@ -39,7 +40,7 @@ int run(const Arguments& args, RankGroup& team) {
     options.samples = 1;
     settings.writes_arm = true;
   }
-  // Unless others are asked for: the ones that come near limits.
+  // The default scenarios are those in which the arm comes near its limits.
   settings.scenarios = load_inputs(settings.place, [&args] {
     return scenarios_of(args.set, args.scenarios, {"realistic_target_switch", "realistic_obstacle_pass"});
   });
@@ -62,7 +63,8 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   args->settings.options.workers = default_workers();
   Perturbation& p = args->settings.options.perturbation;
   CLI::App* command = app.add_subcommand(
-      "robustness", "Simulate gains on many randomly changed models of the arm: yield and quantiles");
+      "robustness",
+      "Simulate gains on randomly changed models of the arm: share that keeps all limits, and quantiles");
   command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
   command->add_option("--scenarios", args->scenarios,
                       "scenarios to simulate (default: all scenarios in the run's study; without a study: "

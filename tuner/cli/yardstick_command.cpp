@@ -1,4 +1,5 @@
-// armtune yardstick: each switch, return and lap of a run beside the best that the arm's limits allow.
+// The command `armtune yardstick`, which compares each target switch, return to the path and lap of a run
+// with the best motion that the arm's limits allow.
 
 #include <fmt/format.h>
 
@@ -77,9 +78,11 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       "Each switch to another target, return to the path and lap of the path is an event. For each event\n"
       "an optimal motion (plan) is computed. It starts from the arm's state at the beginning of the event,\n"
       "and uses the exact model of the arm and the future motion of targets and obstacles. It keeps the\n"
-      "limits of joint position, velocity and torque at its knots. It is the best plan found from one\n"
-      "first guess: a local optimum. The plan of a switch or return has the least time, the plan of a lap\n"
-      "the least error. For a lap, the RMS gaze errors of plan and rollout are compared, at the recorded times.\n\n"
+      "limits of joint position, velocity and torque at its knots, which are the points of its time grid.\n"
+      "It is the best plan found from one first guess: a local optimum. The plan of a switch or return has\n"
+      "the least time, the plan of a lap the least error. For a lap, the RMS gaze errors of plan and\n"
+      "rollout are compared at the recorded times. The gaze error is the angle between the tool's z axis\n"
+      "and the line to the target.\n\n"
       "If the scenario has obstacles, a plan keeps at least obstacleInfluenceRadius (a gain) away from\n"
       "them, or the least distance of the rollout during the event if that is smaller. If no such plan is\n"
       "found, the obstacles are ignored, and the column status shows that. Scenarios are left out if they\n"

@@ -13,7 +13,7 @@
 namespace armtune::internal::report {
 namespace {
 
-constexpr std::size_t kMostBytes = 6'000'000;  // that every mailbox takes
+constexpr std::size_t kMostBytes = 6'000'000;  // a size that every mailbox accepts
 
 }  // namespace
 
@@ -28,13 +28,13 @@ Written write_report(const std::string& folder, const std::string& path, Existin
         "this armtune was built without the report page; install node and npm with scripts/setup, and build "
         "again with -DARMTUNE_REPORT=ON");
   }
-  constexpr std::size_t kAroundData = 1000;  // the element that holds them
+  constexpr std::size_t kAroundData = 1000;  // the HTML element around the data
   const std::size_t room = kMostBytes - std::min(kMostBytes, page_text().size() + kAroundData);
   ReportData data = report_of(folder, room, live);
   const std::string html = filled_page(page_text(), report_json(data));
   if (html.size() > kMostBytes) {
     data.left_out.push_back(
-        fmt::format("nothing more, but the page still has {:.1f} MB, because its names and texts cannot be "
+        fmt::format("nothing more, although the page has {:.1f} MB, because its names and texts cannot be "
                     "shortened to {:.0f} MB",
                     1e-6 * static_cast<double>(html.size()), 1e-6 * static_cast<double>(kMostBytes)));
   }

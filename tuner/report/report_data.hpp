@@ -75,7 +75,7 @@ struct Plan {
 
   static void declare(auto& f, auto& plan) {
     f.type("Plan", "A plan, and how well it was solved. The run's only scenario has its limits.");
-    f("start", plan.start, "Time of its scenario at which it begins, s; the page counts from there.");
+    f("start", plan.start, "Time of its scenario at which it begins, s; times on the page count from it.");
     f("scenario", plan.scenario)("figures", plan.figures, "Name and value: knots, violation, residuals ...");
   }
 };

@@ -93,7 +93,8 @@ struct Run {
       "Time of the scenario at which the run begins, s: 0, or the start of a planned trajectory. All other "
       "times count from it.");
     f("end", run.end, "Time at which the run ended, s; below the duration if it did not complete.");
-    f("states", run.states, "Changes, in order.")("slerps", run.slerps, "Start and end of every slerp, s.");
+    f("states", run.states, "Changes, in order.")("slerps", run.slerps,
+                                                  "Start and end of every slerp (turn of the tool), s.");
     f("time", run.time,
       "Times, s, not decreasing. A short run has every sample. A longer one is cut into equal intervals "
       "of two points each: of every column the smallest and the largest value, in the order in which they "
@@ -118,12 +119,13 @@ struct PlanLimit {
     f("lower", limit.lower, "Lower bound in `unit`; null: no bound on this side.", kOrNull)(
         "upper", limit.upper, "", kOrNull);
     f("from", limit.from, "Time from which the limit holds.")("to", limit.to);
-    f("at_knots", limit.at_knots, "Largest share of the limit that is used at the plan's knots.", kOrNull);
+    f("at_knots", limit.at_knots, "Largest share of the limit that is used at the knots of the time grid.",
+      kOrNull);
     f("between_knots", limit.between_knots,
       "Largest share that is used between the knots, where the limit is not enforced.", kOrNull);
     f("active", limit.active, "Share of the knots at which the limit is active.");
     f("strength", limit.strength,
-      "Sum of its multipliers: time in s, or cost, saved per unit of relaxation; 0 if inactive.");
+      "Sum of its Lagrange multipliers: time in s, or cost, saved per unit of relaxation; 0 if inactive.");
     f("active_lower", limit.active_lower)("active_upper", limit.active_upper);
     f("group", limit.group, kPlots, "The plot that shows it.")("column", limit.column, "The limited column.");
   }

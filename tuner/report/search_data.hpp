@@ -18,7 +18,7 @@ struct PhaseRun {
   std::size_t phase = 0, from = 0, to = 0;
 
   static void declare(auto& f, auto& run) {
-    f.type("PhaseStretch", "Consecutive evaluations of one phase.");
+    f.type("PhaseStretch", "Consecutive evaluations of one phase of the search, such as the sweep.");
     f("phase", run.phase, "Index into `phase` of the evaluations.");
     f("from", run.from, "Number of its first evaluation.")("to", run.to, "Number of its last evaluation.");
   }
@@ -35,7 +35,7 @@ struct ThinnedEvaluations {
            "How many evaluations there are, of each kind; used if there are too many to draw all.");
     f("number", all.number, "Number of each shown evaluation.")("total", all.total)("feasible", all.feasible);
     f("native", all.native)("without_objective", all.without_objective);
-    f("phase_runs", all.phase_runs, "The first 500.")("more_phase_runs", all.more_phase_runs);
+    f("phase_runs", all.phase_runs, "The first 500 of these.")("more_phase_runs", all.more_phase_runs);
   }
 };
 

@@ -29,7 +29,7 @@ struct YardstickRow {
     f("limit", row.limit, "Best possible result in `unit`; null if none was found.", kOrNull);
     f("ratio", row.ratio, "`reached` divided by `limit`; null if `limit` is missing or zero.", kOrNull)(
         "unit", row.unit, {"s", "rad"});
-    f("held_back_by", row.held_back_by, "The limit of the arm that restricts the plan most.");
+    f("held_back_by", row.held_back_by, "The limit of the arm that restricts the best possible motion most.");
     f("words", row.words,
       "Such as \"reacquired in 1.48 s; the joint limits allow 1.21 s (velocity of elbow_joint)\".");
   }

@@ -14,7 +14,7 @@
 namespace armtune::internal {
 namespace {
 
-/// For each parameter, whether the warm start gives it.
+/// Returns, for each parameter, true if the warm start gives its value.
 std::vector<bool> given(const ParameterSpace& space, const std::vector<std::string>& names) {
   std::vector<bool> chosen(space.free.size(), names.empty());
   for (const std::string& name : names) {
@@ -71,7 +71,7 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
       throw InputError(
           InputPlace{warm.source},
           fmt::format("no {} is given, but the study tunes this gain; add the gain to this file, or list "
-                      "in the study under warm_start/parameters the gains to take from it",
+                      "in the study under warm_start/parameters only gains that this file has",
                       entry.name));
     }
     value(there, entry) = value(warm.gains, entry);
@@ -91,7 +91,7 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
     point.lower.push_back(std::max(0.0, point.x[i] - 0.5 * warm.box));
     point.upper.push_back(std::min(1.0, point.x[i] + 0.5 * warm.box));
   }
-  if (warm.box >= 1.0) {  // not shrunk: the whole range, wherever in it the point lies
+  if (warm.box >= 1.0) {  // the whole range, wherever the point lies in it
     point.lower.assign(chosen.size(), 0.0);
     point.upper.assign(chosen.size(), 1.0);
   }

@@ -20,9 +20,10 @@ std::string contact_note(const PlanTask& task) {
   if (kept.empty() && !self) return "The plan ignores the arm's surroundings and contact between its links.";
   std::string text;
   if (!kept.empty())
-    text = fmt::format("At its knots, the motion keeps at least {:g} m from {} of {}. ", task.clearance,
-                       fmt::join(kept, ", "), task.scenario.name);
-  text += self ? "At its knots, links do not touch each other." : "It ignores contact between links.";
+    text = fmt::format("At its knots (points in time), the motion keeps at least {:g} m from {} of {}. ",
+                       task.clearance, fmt::join(kept, ", "), task.scenario.name);
+  text += self ? "At the knots of the motion, links do not touch each other."
+               : "The plan ignores contact between links.";
   if (clearance && !clearance->arm().unknown.empty())
     text += fmt::format(" Not checked, because their shapes are not known: {}.",
                         fmt::join(clearance->arm().unknown, ", "));

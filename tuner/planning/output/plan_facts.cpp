@@ -12,17 +12,17 @@
 namespace armtune::internal {
 namespace {
 
-/// What the program holds at the knots only.
+/// The limits that the program enforces at the knots only.
 constexpr const char* kBetween[] = {kept_words::kTorque, kept_words::kToolPath, kept_words::kGaze,
                                     "distance"};
 
-constexpr double kTellingSmoothness = 1e-3;  // of the duration
-constexpr double kSwitchRoom = 1e-6;         // s
-constexpr int kRows = 2000;                  // that errors are measured at
+constexpr double kTellingSmoothness = 1e-3;  // share of the duration above which smoothness is reported
+constexpr double kSwitchRoom = 1e-6;         // s, tolerance in comparisons with the time of a switch
+constexpr int kRows = 2000;                  // number of equal intervals at whose ends errors are measured
 
 struct ToolErrors {
-  double path = 0.0;  ///< largest distance [m]
-  double gaze = 0.0;  ///< angle, root of the mean square [rad]
+  double path = 0.0;  ///< largest distance from the path [m]
+  double gaze = 0.0;  ///< rms of the gaze angle [rad]
 };
 
 ToolErrors errors_of(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory) {
@@ -68,7 +68,7 @@ std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& pro
                     smoothness, task.smoothness));
   if (planned.weight != 1.0)
     notes.push_back(fmt::format(
-        "the solver multiplied the objective by {:.0e} to give broken limits more weight; the KKT residual "
+        "the solver multiplied the objective by {:.0e} to give violated limits more weight; the KKT residual "
         "belongs to this scaled problem",
         planned.weight));
   if (trajectory.time.back() > problem.target_until + kSwitchRoom)
@@ -85,7 +85,7 @@ std::string between_words(const std::vector<LimitUse>& uses) {
     const WorstUse worst = worst_between(uses, kind);
     if (worst.use == nullptr) continue;
     const bool distance = std::string(kind) == "distance";
-    // Of a distance the share is limit over value.
+    // For a distance, the share is limit / value.
     parts.push_back(distance
                         ? fmt::format("{} at least {:.4f} times the required clearance", worst.use->limit,
                                       1.0 / worst.between)

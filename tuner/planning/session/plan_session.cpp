@@ -17,10 +17,11 @@
 namespace armtune::internal {
 namespace {
 
-/// Beside the knots' own file: what is looked at, even in time and fine enough for smooth plots.
+/// Number of rows of motion.csv. They are equally spaced in time, and close enough for smooth plots.
 constexpr int kMotionRows = 1001;
 
-/// The arm, the tool's path where the task has one, and the obstacles with the clearance that is kept.
+/// Returns what the report shows: the arm, the tool's path if the task has one, and the obstacles with the
+/// required clearance.
 report::Scene scene_of_plan(const PlanTask& task) {
   report::Scene scene = report::scene_of({task.scenario}, {{"plan", ".", ""}}, task.clearance);
   report::SceneScenario& shown = scene.scenarios.front();
@@ -71,7 +72,7 @@ void PlanSession::write_files() {
   write_text_file(folder + "/joint_trajectory.yaml",
                   ros_trajectory(robot, planned.trajectory, settings_.ros,
                                  {"trajectory_msgs/JointTrajectory by armtune plan, task " + task.name,
-                                  contact_note(task) + " Run it slowly first."}));
+                                  contact_note(task) + " Run the motion slowly first."}));
   write_text_file(folder + "/" + planned_scenario_name(task), planned_scenario_yaml(task));
   Provenance p;
   p.command = context_.invocation.line;

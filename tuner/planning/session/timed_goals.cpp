@@ -14,14 +14,14 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kShare = 0.8;      // of the robot's limits: studies allow 0.9
-constexpr double kSpeedUp = 0.5;    // s from rest to the permitted velocity
-constexpr double kForceUp = 0.1;    // s from no acceleration to the permitted one
+constexpr double kShare = 0.8;      // share of the robot's limits that is used; studies allow 0.9
+constexpr double kSpeedUp = 0.5;    // s from rest to the velocity limit, at least
+constexpr double kForceUp = 0.1;    // s from no acceleration to the acceleration limit
 constexpr double kRest = 0.5;       // s at every goal
-constexpr double kFromCell = 0.02;  // m
+constexpr double kFromCell = 0.02;  // m, distance to keep from the cell
 constexpr int kKnots = 60;          // intervals of each move
 
-/// The task of a move, without start and goal.
+/// Returns the task of a move, without start position and goal.
 PlanTask move_of(const JointGoals& goals) {
   const RobotModel& robot = *goals.robot;
   PlanTask task;
@@ -47,13 +47,13 @@ class Motion {
 
   double end() const { return time_.back(); }
   const JointVector& position() const { return knots_.back().position; }
-  /// At rest at q at a time [s].
+  /// Adds a knot at rest at q [rad, m], at a time [s].
   void rest(double time, const JointVector& q) {
     const JointVector zero = JointVector::Zero(q.size());
     time_.push_back(time);
     knots_.push_back({q, zero, zero});
   }
-  /// A move that begins where this motion ends, up to its goal exactly.
+  /// Adds a move that begins where this motion ends. It ends at rest exactly at the goal.
   void add(const Trajectory& move, const JointVector& goal) {
     const double begin = end();
     for (Eigen::Index k = 1; k + 1 < move.position.cols(); ++k) {
@@ -89,13 +89,13 @@ void refuse_moving_parts(const JointGoals& goals) {
     if (!part.path.rests())
       throw InputError(
           InputPlace{goals.file},
-          fmt::format("there are joint goals without times, but part '{}' of the cell moves, and "
-                      "where it is depends on the time; give the times of the goals",
+          fmt::format("the joint goals have no times, but part '{}' of the cell moves, so its position at "
+                      "each goal is not known; give the times of the goals",
                       part.name));
   }
 }
 
-/// Throws if a goal breaks a limit at rest.
+/// Throws InputError if the arm violates a limit at rest at a goal.
 void check_goals(const JointGoals& goals, const PlanTask& task) {
   std::vector<std::pair<KnotTerm, const char*>> terms = {
       {torque_limits(*goals.robot, {0, 0}, kShare), "choose a position that needs less torque"}};
@@ -134,9 +134,10 @@ std::optional<TimedGoals> time_goals(const JointGoals& goals, const std::atomic<
       if (planned.result.status != PlanStatus::kSolved)
         throw InputError(
             InputPlace{goals.file},
-            fmt::format("no motion was found from goal {} to goal {} that keeps the limits of the arm and "
-                        "its distance from itself and the cell; add a goal between them, or give times",
-                        k, k + 1));
+            fmt::format(
+                "no motion was found from goal {} to goal {} that respects the limits of the arm and "
+                "its distances from the cell and between links; add a goal between them, or give times",
+                k, k + 1));
       motion.add(planned.trajectory, task.goal);
     }
     motion.rest(motion.end() + kRest, task.goal);
@@ -146,8 +147,8 @@ std::optional<TimedGoals> time_goals(const JointGoals& goals, const std::atomic<
       motion.spline(),
       ros_trajectory(*goals.robot, motion.trajectory(), goals.ros2 ? RosVersion::kRos2 : RosVersion::kRos1,
                      {"trajectory_msgs/JointTrajectory by armtune, through the joint goals of " + goals.file,
-                      contact_note(task) + " The robot must stand at the first point when the "
-                                           "motion begins. Run it slowly first."})};
+                      contact_note(task) + " The robot must be at the first point when the motion "
+                                           "begins. Run the motion slowly first."})};
 }
 
 }  // namespace armtune::internal

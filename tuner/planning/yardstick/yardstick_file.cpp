@@ -31,7 +31,7 @@ std::vector<Column> yardstick_columns() {
       {"state", "", "state of the controller at that time", {}},
       {"reached",
        "s, rad",
-       "time or RMS angle that the controller achieved, from the rows of the recording",
+       "time or RMS angle that the controller achieved, computed from the rows of the rollout's file",
        {}},
       {"limit",
        "s, rad",
