@@ -10,6 +10,7 @@
 #include "core/common/message_text.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/controller_files/controller_gains.hpp"
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/controller_files/parameter_reader.hpp"
 #include "sim/yaml/decimal.hpp"
 
@@ -18,13 +19,13 @@ namespace {
 
 using yaml::PlacedValue;
 
-/// In how many places of the whole file, aliases and merge keys counted, a value is had.
+/// Counts the places of the whole file at which a value is used, including aliases and merge keys.
 class Uses {
  public:
   explicit Uses(const PlacedValue& root) {
     visit(root);
     uses_[&root] = 1.0;
-    // Parents come before children.
+    // In reverse order, parents come before children.
     for (auto value = order_.rbegin(); value != order_.rend(); ++value) {
       for (const auto* entries : {&(*value)->items, &(*value)->entries}) {
         for (const yaml::PlacedEntry& entry : *entries) uses_[entry.value.get()] += uses_[*value];
@@ -42,11 +43,11 @@ class Uses {
     order_.push_back(&value);
   }
 
-  std::unordered_map<const PlacedValue*, double> uses_;  ///< may be astronomical
+  std::unordered_map<const PlacedValue*, double> uses_;  ///< not integers: nested aliases can make them huge
   std::vector<const PlacedValue*> order_;                ///< children before parents
 };
 
-/// A number that is to stand in the file in place of another.
+/// A number of the file, and the text that replaces it.
 struct Change {
   const PlacedValue* at;
   bool differs;
@@ -54,7 +55,7 @@ struct Change {
   std::string gain;  ///< "p of shoulder"
 };
 
-/// The numbers of the file, in its order, each with what it must become.
+/// Returns the numbers of the file, in its order, each with the text that replaces it.
 std::vector<Change> changes_of(const std::vector<PlacedGain>& now, const std::vector<PlacedGain>& wanted) {
   std::vector<Change> changes;
   for (std::size_t k = 0; k < now.size(); ++k) {
@@ -71,8 +72,7 @@ std::vector<Change> changes_of(const std::vector<PlacedGain>& now, const std::ve
 /// Throws InputError if the changed text does not read back as the gains.
 void refuse_what_is_lost(const std::string& changed, const RosController& controller, const std::string& file,
                          const Gains& gains, const std::vector<std::string>& joints) {
-  const Gains back = controller_gains(
-      chosen_controller(ros_controllers(changed, file), file, controller.name), file, joints);
+  const Gains back = controller_gains(with_text(controller, changed, file), file, joints);
   for (const GainField& field : fields_of(gains)) {
     const auto* own_gain = std::get_if<OwnGain>(&field.member);
     if (own_gain == nullptr) continue;

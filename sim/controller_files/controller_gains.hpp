@@ -1,5 +1,5 @@
 #pragma once
-// Reads the gains of a controller from its ROS parameter file, whichever of the supported controllers it is.
+// Reads the gains of a controller from its ROS parameter file, for all controllers that armtune supports.
 
 #include <string>
 #include <vector>
@@ -13,13 +13,20 @@ namespace armtune::internal {
 /// True if ROS parameter files can hold gains of this kind of controller.
 bool has_parameter_file(const std::string& kind);
 
+/// Returns the names of armtune's controllers that follow joint motions by gains of their own.
+std::vector<std::string> joint_motion_controllers();
+
+/// Returns gains of such a controller for n joints, with its defaults. They are for joint motions only: gains
+/// of the states that track joints or avoid obstacles are 0.
+Gains joint_motion_gains(const std::string& kind, Eigen::Index n);
+
 /// Returns the gains for an arm with these joints, in their order (joint_trajectory_file.hpp,
-/// joint_impedance_file.hpp). Throws InputError "FILE:LINE: what".
+/// joint_impedance_file.hpp, gain_map.hpp). Throws InputError "FILE:LINE: what".
 Gains controller_gains(const RosController& controller, const std::string& file,
                        const std::vector<std::string>& joints);
 
-/// Returns every number of the file that is a gain, with its value in `gains`, which are of the file's kind.
-/// The order depends on the file alone.
+/// Returns every number of the file that is a gain, with its value in `gains`. `gains` must be for the kind
+/// of controller in the file. The order depends on the file alone.
 std::vector<PlacedGain> placed_gains(const RosController& controller, const std::string& file,
                                      const Gains& gains, const std::vector<std::string>& joints);
 

@@ -38,13 +38,13 @@ bool has_impedance(const PlacedValue& map) {
   return is_list("k_gains") && is_list("d_gains");
 }
 
-/// Calls `see` with every map and the keys above it.
+/// Calls `see` for every map, with the keys above it.
 void walk(const yaml::Placed& value, std::vector<std::string>& keys,
           const std::function<void(const yaml::Placed&, const std::vector<std::string>&)>& see) {
   if (value->kind != PlacedValue::Kind::kMap) return;
   see(value, keys);
   for (const yaml::PlacedEntry& entry : value->entries) {
-    if (entry.alias) continue;  // seen where it stands
+    if (entry.alias) continue;  // visited at the place where it is written
     keys.push_back(entry.key);
     walk(entry.value, keys, see);
     keys.pop_back();
@@ -56,7 +56,7 @@ std::string scalar_at(const PlacedValue& map, const char* key) {
   return value != nullptr && value->kind == PlacedValue::Kind::kScalar ? value->text : std::string();
 }
 
-/// Whether a text has a key of this name.
+/// Returns true if the text has a key of this name outside of comments.
 bool has_key(std::string_view text, std::string_view key) {
   constexpr std::string_view kQuotes = "'\"";
   for (auto at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
@@ -90,10 +90,14 @@ bool may_hold_controllers(std::string_view text) {
   return has_key(text, "gains") || has_key(text, "k_gains");
 }
 
+bool may_hold_map(std::string_view text) {
+  return has_key(text, "map") && has_key(text, "file");
+}
+
 std::vector<RosController> ros_controllers(const std::string& text, const std::string& file) {
   const yaml::Placed root = yaml::read_placed(text, file);
   std::vector<RosController> found;
-  std::vector<std::pair<std::string, std::string>> types;  // what the controller manager says: name, type
+  std::vector<std::pair<std::string, std::string>> types;  // (name, type), as in the controller manager
   std::vector<std::string> keys;
   walk(root, keys, [&](const yaml::Placed& map, const std::vector<std::string>& above) {
     const std::string type = scalar_at(*map, "type");

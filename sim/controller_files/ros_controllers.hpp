@@ -1,11 +1,12 @@
 #pragma once
-// Finds the controllers whose gains can be tuned in a parameter file of ROS 1 or ROS 2. The file can be used
-// as it is in a ROS package, with other nodes, YAML anchors and comments.
+// Finds the controllers whose gains can be tuned in a parameter file of ROS 1 or ROS 2. The file of a ROS
+// package can be used unchanged: it may also contain other nodes, YAML anchors and comments.
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/yaml/placed_value.hpp"
@@ -15,7 +16,14 @@ namespace armtune::internal {
 /// How a file gives the gains of a controller.
 enum class GainLayout {
   kPidByJoint,  ///< a map `gains` with p, i and d of each joint
-  kImpedance    ///< lists k_gains and d_gains, as the joint impedance examples for Franka's arms have them
+  kImpedance,   ///< lists k_gains and d_gains, as in the joint impedance examples for Franka's arms
+  kMapped       ///< numbers anywhere in the file, which the user binds to gains (gain_map.hpp)
+};
+
+/// A place in a file that the user binds to a gain.
+struct GainPlace {
+  std::string path;  ///< keys from the outermost one, joined by '/'; items of lists count from 0
+  std::string gain;  ///< "joint_impedance_k" for a list, "joint_impedance_k/elbow" for one number
 };
 
 /// A controller with gains for each joint.
@@ -26,10 +34,18 @@ struct RosController {
   GainLayout layout = GainLayout::kPidByJoint;
   yaml::Placed parameters;  ///< the map that contains the gains
   yaml::Placed all;         ///< the whole file
+  // The rest is for kMapped only.
+  std::string kind = {};               ///< armtune's controller
+  std::vector<GainPlace> places = {};  ///< of the gains
+  std::vector<std::pair<std::string, std::vector<double>>> others =
+      {};  ///< gains that the file does not have
 };
 
 /// Returns true if a text may contain controllers, because it has a key `gains` or `k_gains`.
 bool may_hold_controllers(std::string_view text);
+
+/// Returns true if a text may be a map of gains (gain_map.hpp), because it has keys `map` and `file`.
+bool may_hold_map(std::string_view text);
 
 /// Returns all controllers of the file, in its order. Throws InputError if the text is not YAML.
 std::vector<RosController> ros_controllers(const std::string& text, const std::string& file);

@@ -12,6 +12,7 @@
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/controller_files/controller_gains.hpp"
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/decimal.hpp"
 #include "sim/yaml/force_gains.hpp"
@@ -25,10 +26,10 @@ namespace {
 constexpr const char* kController = "controller";
 constexpr std::array kPath = {"circularTrajectoryAnchorPosition", "circularTrajectoryRadius",
                               "circularTrajectoryPeriod"};
-// What `ros2 param dump` says of every node.
+// The parameters that `ros2 param dump` writes for every node.
 constexpr std::array kOfEveryNode = {"use_sim_time", "qos_overrides", "start_type_description_service"};
 
-/// The map that the fields stand in.
+/// Returns the map with the fields, which is below all maps that have another map as their only entry.
 const yaml::Node& fields_node(const yaml::Node& root) {
   const yaml::Node* node = &root;
   while (node->entries().size() == 1 && node->entries()[0].second.kind() == yaml::Node::Kind::kMap)
@@ -36,12 +37,7 @@ const yaml::Node& fields_node(const yaml::Node& root) {
   return *node;
 }
 
-/// Those of ROS that a gains file holds; none where it is armtune's own.
-std::vector<RosController> controllers_in(const std::string& text, const std::string& path) {
-  return may_hold_controllers(text) ? ros_controllers(text, path) : std::vector<RosController>();
-}
-
-/// ROS 2's parameter files may hold several nodes.
+/// Throws InputError if a ROS 2 parameter file has several nodes.
 void refuse_several(const yaml::Node& fields) {
   const auto is_node = [](const auto& entry) {
     return entry.second.kind() == yaml::Node::Kind::kMap && entry.second.find(kRos2Parameters) != nullptr;
@@ -58,7 +54,7 @@ std::string value_text(std::span<const double> values, bool is_list) {
   return is_list ? fmt::format("[{}]", fmt::join(words, ", ")) : words.front();
 }
 
-/// Lists of n numbers each.
+/// Returns the text of a list of lists with n numbers each.
 std::string rows_text(std::span<const double> values, std::size_t n) {
   std::vector<std::string> rows;
   for (std::size_t first = 0; first < values.size(); first += n)
@@ -107,10 +103,9 @@ void read_field(const yaml::Node& node, const GainField& field, const std::vecto
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
                  const std::string& relative_to, const std::string& node) {
   const std::string path = find_data_file("gains", name_or_path, relative_to);
-  const std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
-  if (const auto controllers = controllers_in(text, path); !controllers.empty()) {
-    Gains gains = controller_gains(chosen_controller(controllers, path, node), path, joints);
-    validate(gains, joints, path);
+  if (const auto file = read_parameter_file(path, node)) {
+    Gains gains = controller_gains(file->controller, file->path, joints);
+    validate(gains, joints, file->path);
     return gains;
   }
   if (!node.empty())
@@ -120,7 +115,7 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
             "a node ('{}') can be named only for a ROS parameter file with controllers, which this is not; "
             "remove the option or key that names the node",
             node));
-  const yaml::Node root = yaml::parse_text(text, path);
+  const yaml::Node root = yaml::parse_text(read_input_file(path, yaml::kMaxBytes, "a YAML file"), path);
   const yaml::Node& fields = fields_node(root);
   refuse_several(fields);
   yaml::MapReader map(fields);
@@ -149,7 +144,7 @@ std::string field_text(const Gains& gains, const GainField& field) {
     return gains.**reference == SlerpReference::kStart ? "start" : "current";
   }
   if (const auto* member = std::get_if<ForceGains Gains::*>(&field.member)) {
-    const auto n = static_cast<int>(gains.joint_space_gains_p.size());  // every controller has that one
+    const auto n = static_cast<int>(gains.joint_space_gains_p.size());  // every controller has this gain
     if (is_per_joint(gains.**member, n)) return rows_text(numbers(gains, field), static_cast<std::size_t>(n));
   }
   return value_text(numbers(gains, field), component_names(field, {}).size() != 1);
@@ -157,9 +152,9 @@ std::string field_text(const Gains& gains, const GainField& field) {
 
 std::vector<std::pair<std::string, std::string>> published_path(const std::string& gains_path) {
   std::vector<std::pair<std::string, std::string>> path;
-  const std::string text = read_input_file(gains_path, yaml::kMaxBytes, "a YAML file");
-  if (!controllers_in(text, gains_path).empty()) return path;
-  const yaml::Node root = yaml::parse_text(text, gains_path);
+  if (is_parameter_file(gains_path)) return path;
+  const yaml::Node root =
+      yaml::parse_text(read_input_file(gains_path, yaml::kMaxBytes, "a YAML file"), gains_path);
   for (const auto& [key, value] : fields_node(root).entries()) {
     if (std::find(kPath.begin(), kPath.end(), key) == kPath.end()) continue;
     const bool is_list = value.kind() == yaml::Node::Kind::kSequence;
@@ -179,12 +174,12 @@ std::string gains_yaml(const Gains& gains, const std::vector<std::string>& heade
     indent += "  ";
   }
   const bool is_ros2 = std::find(keys.begin(), keys.end(), kRos2Parameters) != keys.end();
-  // Files of the published controller do not name one.
+  // Files of the published controller do not name a controller.
   if (gains.controller != Gains().controller)
     text += fmt::format("{}{}: {}\n", indent, kController, gains.controller);
   for (const GainField& field : fields_of(gains)) {
     if (field.is_number() && numbers(gains, field).empty()) continue;
-    // ROS 2 has no lists of lists: there the numbers stand row by row in one.
+    // ROS 2 has no lists of lists, so that the numbers are written row by row in one list.
     const bool flat = is_ros2 && std::holds_alternative<ForceGains Gains::*>(field.member);
     text += fmt::format("{0}# {1}{2}{3}{4}\n{0}{5}: {6}\n", indent, field.meaning, *field.unit ? " [" : "",
                         field.unit, *field.unit ? "]" : "", field.name,

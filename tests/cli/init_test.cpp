@@ -94,6 +94,29 @@ TEST(OwnFiles, BecomeAStudyThatIsNotTunedYet) {
   EXPECT_FALSE(std::filesystem::exists(folder / "my study/gains.yaml"));
 }
 
+TEST(OwnFiles, AStreamOfPositionsIsTunedWithoutAParameterFile) {
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> words = {
+      "--robot", "ur5e", "--controller", "position_streaming", "--trajectory", kExample + "moves.csv"};
+  const auto with = [&words](const std::string& command, const std::vector<std::string>& more) {
+    std::vector<std::string> all = {command};
+    all.insert(all.end(), words.begin(), words.end());
+    all.insert(all.end(), more.begin(), more.end());
+    return run_program(all);
+  };
+  const Finished made = with("init", {"--rate", "500", "--out", folder / "study"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(test::read_text(folder / "study/gains.yaml"), HasSubstr("servo_lookahead_time: 0.1"));
+  EXPECT_THAT(with("init", {"--out", folder / "none"}).err, HasSubstr("--rate"));
+
+  const std::string run = folder / "run";
+  const Finished tuned = with("tune", {"--rate", "500", "--max-evaluations", "30", "--out", run});
+  ASSERT_EQ(tuned.exit_code, 0) << tuned.err << tuned.out;
+  EXPECT_THAT(tuned.out, AllOf(HasSubstr("Simulation checks: passed"), HasSubstr("position_streaming.md")));
+  EXPECT_THAT(test::read_text(run + "/gains.yaml"), HasSubstr("servo_gain: "));
+  EXPECT_THAT(run_program({"tune", "--resume", run}).out, HasSubstr("this run is finished"));
+}
+
 TEST(OwnFiles, OptionsThatMeanNothingTogetherAreRefused) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"tune", "ur10_gaze", "--robot", "ur5e", "--controllers", "a", "--trajectory",
@@ -101,7 +124,10 @@ TEST(OwnFiles, OptionsThatMeanNothingTogetherAreRefused) {
         {"tune", "--robot", "ur5e"},
         {"tune", "--robot", "ur5e", "--controllers", "a"},
         {"tune", "--robot", "ur5e", "--controllers", "a", "--trajectory", "b", "--controller", "joint_pd"},
+        {"tune", "--robot", "ur5e", "--trajectory", "b"},
         {"tune", "ur10_gaze", "--degrees"},
+        {"tune", "ur10_gaze", "--rate", "500"},
+        {"init", "--robot", "ur5e", "--trajectory", "b", "--rate", "500", "--out", "c"},
         {"init", "--robot", "ur5e", "--controllers", "a", "--trajectory", "b"}}) {
     const Finished refused = run_program(words);
     EXPECT_EQ(refused.exit_code, 2) << words[1];

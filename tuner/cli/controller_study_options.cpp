@@ -16,9 +16,9 @@
 #include "tuner/planning/session/timed_goals.hpp"
 #endif
 
-// Without CHOLMOD there is no planner.
+// armtune built without CHOLMOD has no planner, so it cannot plan motions through positions without times.
 #ifdef ARMTUNE_SUITESPARSE
-#define ARMTUNE_WITHOUT_TIMES ". Through joint positions without times, a motion is planned"
+#define ARMTUNE_WITHOUT_TIMES ". If the positions have no times, armtune plans a motion through them"
 #else
 #define ARMTUNE_WITHOUT_TIMES ""
 #endif
@@ -31,8 +31,8 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
       "the arm: a URDF without xacro macros, a robot YAML, or a bundled robot such as ur5e");
   CLI::Option* controllers = command.add_option(
       "--controllers", inputs.controllers,
-      "your unchanged ROS parameter file with the joint_trajectory_controller, or the joint "
-      "impedance controller of a Franka, to tune");
+      "your unchanged ROS parameter file. It has the controller to tune: a joint_trajectory_controller, or "
+      "the joint impedance controller of a Franka");
   CLI::Option* trajectory =
       command
           .add_option(
@@ -42,21 +42,23 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
           ->expected(1, -1);
   CLI::Option* node = command.add_option(
       "--node", inputs.node, "name of the controller to tune, if the file of --controllers has several");
-  CLI::Option* rate = command
-                          .add_option("--rate", inputs.rate,
-                                      "control rate [Hz] (default: update_rate in the file of --controllers)")
-                          ->check(CLI::Range(10.0, 10000.0));
+  CLI::Option* rate =
+      command
+          .add_option("--rate", inputs.rate,
+                      "control rate [Hz] (default: update_rate in the file of --controllers; with "
+                      "--controller it must be given)")
+          ->check(CLI::Range(10.0, 10000.0));
   CLI::Option* degrees = command.add_flag(
       "--degrees", inputs.degrees, "read the angles in CSV files of --trajectory in degrees (default: rad)");
   if (required) {
-    for (CLI::Option* option : {robot, controllers, trajectory}) option->required();
-    return;
+    for (CLI::Option* option : {robot, trajectory}) option->required();
+  } else {
+    robot->needs(trajectory);
+    trajectory->needs(robot);
+    controllers->needs(robot);
+    rate->needs(robot);
   }
-  robot->needs(controllers);
-  controllers->needs(robot)->needs(trajectory);
-  trajectory->needs(controllers);
   node->needs(controllers);
-  rate->needs(controllers);
   degrees->needs(trajectory);
 }
 

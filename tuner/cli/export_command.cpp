@@ -1,4 +1,4 @@
-// armtune export: gains in the form a robot loads.
+// The command `armtune export`, which writes gains in a format that a robot can load.
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "core/common/input_file.hpp"
 #include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/controller_gains.hpp"
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -33,18 +34,18 @@ struct Arguments {
   std::string file;
 };
 
-/// The ROS parameter file `args.into` with these gains, and nothing else changed.
+/// Returns the text of the ROS parameter file `args.into`, in which only the gains are changed.
 std::string changed_controllers(const Arguments& args, const GainsFile& gains) {
-  const std::string text = read_input_file(args.into, yaml::kMaxBytes, "a ROS parameter file");
-  const RosController controller = chosen_controller(ros_controllers(text, args.into), args.into, args.node);
-  if (!has_parameter_file(gains.gains.controller)) {
+  const auto file = read_parameter_file(args.into, args.node);
+  if (!file) chosen_controller({}, args.into, args.node);  // throws
+  const std::string kind = controller_gains(file->controller, file->path, gains.joints).controller;
+  if (gains.gains.controller != kind) {
     throw InputError(
         fmt::format("{}: the gains are for the controller '{}', but {} is a {}; give gains of that "
                     "controller, or export without --into",
-                    args.what.set, gains.gains.controller, controller.name,
-                    controller_gains(controller, args.into, gains.joints).controller));
+                    args.what.set, gains.gains.controller, file->controller.name, kind));
   }
-  return with_gains(text, controller, args.into, gains.gains, gains.joints);
+  return with_gains(file->text, file->controller, file->path, gains.gains, gains.joints);
 }
 
 int run(const Arguments& args) {
@@ -93,8 +94,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   CLI::Option* into = command->add_option(
       "--into", args->into,
-      "ROS parameter file of the gains' controller; the output is a copy of this file in which only the gains "
-      "are changed");
+      "ROS parameter file of the gains' controller; the output is a copy of this file in which only the "
+      "gains are changed");
   into->excludes("--format");
   command->add_option(
       "--node", args->node,

@@ -8,14 +8,15 @@
 #include <vector>
 
 #include "core/control/laws/controller_kind.hpp"
+#include "sim/controller_files/controller_gains.hpp"
 #include "sim/plant/engine.hpp"
 #include "sim/plant/stepper.hpp"
 
 namespace armtune::internal::cli {
 namespace {
 
-/// Shows the names in --help, the manual page and shell completion. What is none of them is refused by the
-/// function that takes the name, which says more than a list.
+/// Returns a validator that only shows the names in --help, the manual page and shell completion. It accepts
+/// every word, because the function that converts the name refuses an unknown one with a better message.
 template <typename List, typename NameOf>
 CLI::Validator names_shown(const List& list, NameOf name_of) {
   std::vector<std::string> names(list.size());
@@ -44,10 +45,21 @@ CLI::Option* add_engine_option(CLI::App& command, std::string& engine) {
 
 CLI::Option* add_controller_option(CLI::App& command, std::string& controller) {
   return command
-      .add_option("--controller", controller,
-                  "tune this controller instead of the study's controller; the search varies the gains that "
-                  "'armtune controllers' marks with *")
+      .add_option(
+          "--controller", controller,
+          "tune this controller instead of the study's controller; the search varies the gains that "
+          "'armtune controllers' marks with *. With --robot it takes the place of --controllers; its start "
+          "gains are computed from the arm")
       ->check(names_shown(controller_kinds(), [](const ControllerKind* kind) { return kind->name; }));
+}
+
+CLI::Option* add_joint_motion_controller_option(CLI::App& command, std::string& controller) {
+  return command
+      .add_option(
+          "--controller", controller,
+          "tune one of armtune's controllers that follow joint motions, without a parameter file; its "
+          "start gains are computed from the arm")
+      ->check(names_shown(joint_motion_controllers(), [](const std::string& name) { return name; }));
 }
 
 }  // namespace armtune::internal::cli

@@ -19,4 +19,8 @@ CLI::Option* add_engine_option(CLI::App& command, std::string& engine);
 /// Adds "--controller", which selects a controller to tune in place of the study's own.
 CLI::Option* add_controller_option(CLI::App& command, std::string& controller);
 
+/// Adds "--controller", which selects a controller that follows joint motions, for a study without a
+/// parameter file.
+CLI::Option* add_joint_motion_controller_option(CLI::App& command, std::string& controller);
+
 }  // namespace armtune::internal::cli

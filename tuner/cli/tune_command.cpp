@@ -1,7 +1,8 @@
-// armtune tune: a study from its start gains to the files of a run folder.
+// The command `armtune tune`, which tunes the gains of a study and writes the results to a run folder.
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
@@ -24,9 +25,9 @@ namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
-  std::string study;          ///< empty: of files of the user's own
-  ControllerStudyInputs own;  ///< those; without a robot: none
-  std::string controller;     ///< in place of the study's; empty: its own
+  std::string study;          ///< empty: made from the files in `own`
+  ControllerStudyInputs own;  ///< files of the user's robot; without a robot: none
+  std::string controller;     ///< controller to tune; empty: the study's
   long max_evaluations = 0;
   long seed = -1;
   bool yardstick = false;
@@ -39,7 +40,7 @@ Study load(const Arguments& args) {
   if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
   WarmArguments warm = args.warm;
-  // The run that a warm start came from may have been deleted since; its gains are kept.
+  // The run that the warm start came from may have been deleted, but this run keeps a copy of its gains.
   const RunPlace& place = args.settings.place;
   if (place.resume && !warm.from.empty()) warm.from = place.folder + "/" + kWarmGains;
   apply(warm, study);
@@ -50,8 +51,9 @@ int run(Arguments& args, RankGroup& team) {
   if (args.own.robot.empty() && args.study.empty())
     throw InputError(
         "tune: no study is given; give a study file, a bundled study such as ur10_gaze, or your robot's "
-        "files with --robot, --controllers and --trajectory");
+        "files with --robot, --controllers (or --controller and --rate) and --trajectory");
   if (!args.own.robot.empty()) {
+    args.own.kind = std::exchange(args.controller, {});
     args.study = study_beside_run(args.own, args.settings.place, team.several());
     if (args.study.empty()) return kInterrupted;
   }
@@ -78,12 +80,14 @@ void add_tune_command(CLI::App& app, int& exit_code) {
                                            "a bundled study, such as ur10_gaze, or a YAML file of your own");
   add_controller_option(*command, args->controller);
   add_controller_study_options(*command, args->own, false);
-  command->get_option("--controllers")->excludes(study)->excludes(command->get_option("--controller"));
+  command->get_option("--controllers")->excludes(command->get_option("--controller"));
+  command->get_option("--robot")->excludes(study);
   add_run_options(*command, "new folder for the results (default: runs/<study>_<time>)", settings.place,
                   settings.workers, settings.deadline);
   command
       ->add_option("--max-evaluations", args->max_evaluations,
-                   "number of evaluations, start gains included (default: study's value)")
+                   "number of evaluations, start gains included; each simulates every scenario with one gain "
+                   "set (default: study's value)")
       ->check(CLI::Range(1L, 1000000000L));
   command
       ->add_option("--seed", args->seed, "seed of algorithms that use random numbers (default: study's seed)")
@@ -95,8 +99,8 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag(
       "!--no-analysis", settings.analysis,
-      "skip the analysis after the search: stability margins, random arms, endurance and sensitivity of the "
-      "gains");
+      "skip the analysis after the search: stability margins, simulations of randomly changed arms, "
+      "endurance, and sensitivity of the gains");
   command->add_flag("--live", settings.live,
                     "update report.html while the search runs; the page reloads itself in a browser");
   add_yardstick_option(*command, args->yardstick);

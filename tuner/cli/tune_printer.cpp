@@ -7,7 +7,7 @@
 
 #include "core/common/input_file.hpp"
 #include "sim/controller_files/controller_gains.hpp"
-#include "sim/controller_files/ros_controllers.hpp"
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/document.hpp"
 #include "tuner/cli/conclusion.hpp"
@@ -37,8 +37,8 @@ void print_gains(const Study& study, const TuneResult& result) {
   say(fmt::format("\n"));
 }
 
-/// Prints what a search that found nothing better, or nothing feasible, recommends. constraints: the check of
-/// that kind, which says what is in the way.
+/// Prints what to do next, if the search found nothing better than the start gains or nothing feasible.
+/// constraints: the check of the constraints, whose text says which are violated.
 void print_recommendation(const TuneResult& result, const Check& constraints, const std::string& folder) {
   const SearchOutcome outcome = outcome_of(result);
   if (outcome == SearchOutcome::kTuned) return;
@@ -70,10 +70,11 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
   }
 }
 
-/// Whether the start gains came from the robot's own ROS parameter file.
-bool is_ros_file(const Study& study) {
-  return has_parameter_file(study.space.start.controller) && !study.gains.empty() &&
-         may_hold_controllers(read_input_file(study.gains, yaml::kMaxBytes, "a YAML file"));
+/// Returns the parameter file of the robot's controller that has the start gains; empty if there is none.
+std::string parameter_file_of(const Study& study) {
+  if (study.gains.empty()) return {};
+  const auto file = read_parameter_file(study.gains, study.node);
+  return file ? file->path : std::string();
 }
 
 }  // namespace
@@ -120,7 +121,7 @@ void TunePrinter::found_sensitivity(const Sensitivity& sensitivity) {
   print_advice(study_, sensitivity);
 }
 
-/// What the search did, and what the objective came to.
+/// Prints how the search ended: the best objective, the largest joint velocity and the violated constraints.
 void TunePrinter::searched(const TuneOutcome& so_far) {
   const TuneResult& result = so_far.result;
   const Objective& objective = *so_far.objective;
@@ -177,13 +178,14 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
     say(fmt::format(
         "{0}/{1} is a copy of {2} in which only the gains are changed. Read docs/ros.md before the robot "
         "moves with the tuned gains.\n",
-        folder, outcome.controllers, shown_path(study_.gains)));
-  } else if (outcome.ending != Ending::kInterrupted && is_ros_file(study_)) {
+        folder, outcome.controllers, shown_path(parameter_file_of(study_))));
+  } else if (const std::string file = parameter_file_of(study_);
+             outcome.ending != Ending::kInterrupted && !file.empty()) {
     say(fmt::format(
         "A copy of {} with the tuned gains was not written, because a check failed or was skipped, or "
         "because the file cannot hold the gains. 'armtune export {} --into FILE --out NEW' writes the copy "
         "if the file can hold the gains.\n",
-        shown_path(study_.gains), folder));
+        shown_path(file), folder));
   }
   if (outcome.ending == Ending::kInterrupted) {
     say(fmt::format("interrupted: {}; to resume: {} tune --resume {}\n",

@@ -1,25 +1,39 @@
 #include "tuner/controller_study/controller_in_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
+#include "core/control/laws/position_streaming_law.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/controller_gains.hpp"
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/yaml/document.hpp"
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
 namespace {
 
-constexpr double kMostDamping = 5.0;  // of what the arm's inertia asks for
+constexpr double kMostDamping = 5.0;  // times the damping that fits the arm's inertia
 
-/// Its own gains that are searched unless a study says otherwise.
+/// Gains that a robot accepts within fixed bounds only.
+struct AcceptedRange {
+  std::string_view gain;
+  double lower, upper;
+};
+constexpr std::array kAccepted = {AcceptedRange{"servo_gain", 100.0, 2000.0},
+                                  AcceptedRange{"servo_lookahead_time", 0.03, 0.2}};
+
+/// Returns the controller's own gains that a study tunes unless it names others.
 std::vector<const GainField*> searched_fields(const Gains& gains) {
   std::vector<const GainField*> found;
   for (const GainField& field : fields_of(gains)) {
@@ -29,21 +43,36 @@ std::vector<const GainField*> searched_fields(const Gains& gains) {
   return found;
 }
 
+/// Returns false if the numbers of the file are given by a map, and it names no number for value k of the
+/// gain.
+bool is_in_file(const ControllerInFile& from, const GainField& field, Eigen::Index k) {
+  if (from.controller.layout != GainLayout::kMapped) return true;
+  const auto& places = from.controller.places;
+  return std::any_of(places.begin(), places.end(), [&](const GainPlace& place) {
+    return place.gain == field.name ||
+           place.gain == fmt::format("{}/{}", field.name, from.joints[static_cast<std::size_t>(k)]);
+  });
+}
+
 JointVector& values_of(Gains& gains, const GainField& field) {
   return gains.own[std::get<OwnGain>(field.member).place];
 }
 
-/// Throws InputError where the file could not hold other numbers than it has: better now than after a search.
+/// Throws InputError if the values of the gains in the file cannot be replaced. This is checked before the
+/// search, because the result could otherwise not be written.
 void require_room(const ControllerInFile& from) {
   Gains others = from.gains;
   double factor = 1.0;
   for (const GainField* field : searched_fields(from.gains)) {
-    for (double& value : values_of(others, *field)) value *= factor += 0.01;
+    JointVector& values = values_of(others, *field);
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      if (is_in_file(from, *field, k)) values[k] *= factor += 0.01;
+    }
   }
   with_gains(from.text, from.controller, from.file, others, from.joints);
 }
 
-/// Whether the file has a place for the d of joint k.
+/// True if the file has a place for the gain d of joint k.
 bool has_room_for_damping(const ControllerInFile& from, Eigen::Index k) {
   Gains damped = from.gains;
   jtc_gain(damped, "d")[k] = 1.0;
@@ -64,12 +93,14 @@ std::string entry(const std::string& gain, const std::string& joint, const std::
 ControllerInFile read_controller(const std::string& file, const std::string& node,
                                  const std::vector<std::string>& joints) {
   ControllerInFile read;
-  read.file = file;
-  read.text = read_input_file(file, yaml::kMaxBytes, "a ROS parameter file");
-  read.controller = chosen_controller(ros_controllers(read.text, file), file, node);
+  auto found = read_parameter_file(file, node);
+  if (!found) chosen_controller({}, file, node);  // throws
+  read.file = found->path;
+  read.text = std::move(found->text);
+  read.controller = std::move(found->controller);
   read.joints = joints;
-  read.gains = controller_gains(read.controller, file, joints);
-  validate(read.gains, joints, file);
+  read.gains = controller_gains(read.controller, read.file, joints);
+  validate(read.gains, joints, read.file);
   const auto fields = searched_fields(read.gains);
   if (std::all_of(fields.begin(), fields.end(),
                   [&read](const GainField* field) { return values_of(read.gains, *field).isZero(0.0); }))
@@ -80,23 +111,50 @@ ControllerInFile read_controller(const std::string& file, const std::string& nod
   return read;
 }
 
+ControllerInFile new_controller(const std::string& kind, const RobotModel& arm, const JointVector& q) {
+  controller_kind(kind);  // throws InputError if the name is unknown
+  const std::vector<std::string> kinds = joint_motion_controllers();
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    throw InputError(fmt::format(
+        "controller '{}' does not follow joint motions with gains of its own; choose one of {}, or write a "
+        "study for a task of the tool ('armtune robot --task')",
+        kind, fmt::join(kinds, ", ")));
+  ControllerInFile made;
+  made.controller.name = kind;
+  made.joints = joint_names(arm);
+  made.gains = joint_motion_gains(kind, arm.n());
+  controller_kind(kind).start(arm, q, made.gains);
+  return made;
+}
+
 std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
                              std::vector<std::string>& undamped) {
   Gains gains = from.gains;
-  // Drives have damping of their own.
+  // Drives that follow velocities or positions have damping of their own.
   const bool needs_damping = gains.controller == kJointTrajectoryController;
   Gains first = gains;
   controller_kind(gains.controller).start(arm, q, first);
   std::string text;
   for (const GainField* field : searched_fields(from.gains)) {
     const JointVector& values = values_of(gains, *field);
-    if ((values.array() != 0.0).all()) {
+    const auto* accepted = std::find_if(kAccepted.begin(), kAccepted.end(),
+                                        [field](const AcceptedRange& a) { return a.gain == field->name; });
+    if (values.size() == 1 && !is_in_file(from, *field, 0)) continue;
+    if (accepted != kAccepted.end()) {
+      text += fmt::format("  - {{name: {}, lower: {}, upper: {}}}   # what the robot accepts\n", field->name,
+                          accepted->lower, accepted->upper);
+      continue;
+    }
+    const auto is_tuned = [&](Eigen::Index k) { return values[k] != 0.0 && is_in_file(from, *field, k); };
+    Eigen::Index tuned = 0;
+    for (Eigen::Index k = 0; k < values.size(); ++k) tuned += is_tuned(k) ? 1 : 0;
+    if (tuned == values.size()) {
       text += fmt::format("  - {{name: {}}}\n", field->name);
       continue;
     }
     for (std::size_t k = 0; k < from.joints.size(); ++k) {
       const auto i = static_cast<Eigen::Index>(k);
-      if (values[i] != 0.0) {
+      if (is_tuned(i)) {
         text += entry(field->name, from.joints[k]);
       } else if (needs_damping && &values == &jtc_gain(gains, "d") && jtc_gain(gains, "p")[i] != 0.0 &&
                  has_room_for_damping(from, i)) {

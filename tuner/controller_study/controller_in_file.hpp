@@ -1,5 +1,6 @@
 #pragma once
-// Reads a joint_trajectory_controller from its ROS parameter file, and selects which of its gains are tuned.
+// Reads the controller of a study from its parameter file, or computes start gains for a controller that has
+// no such file. Selects which of its gains are tuned.
 
 #include <string>
 #include <vector>
@@ -11,23 +12,30 @@
 namespace armtune::internal {
 
 struct ControllerInFile {
-  std::string file;  ///< name of the file
+  std::string file;  ///< name of the file; empty if there is none
   std::string text;  ///< contents of the file
   RosController controller;
-  std::vector<std::string> joints;  ///< names of the arm's joints, in its order
+  std::vector<std::string> joints;  ///< names of the arm's joints, in the arm's order
   Gains gains;
 };
 
-/// Reads the controller called `node`, or the only one of the file if `node` is empty. Throws InputError if
-/// there is no such controller for these joints, if all of its p, i and d are 0, or if the file is written in
-/// a way that does not allow its gains to be replaced.
+/// Reads the controller called `node`, or the only one of the file if `node` is empty, or the controller that
+/// a map of gains describes (gain_map.hpp). Throws InputError if there is no such controller for these
+/// joints, if all of its gains that can be tuned are 0, or if the file is written in a way that does not
+/// allow its gains to be replaced.
 ControllerInFile read_controller(const std::string& file, const std::string& node,
                                  const std::vector<std::string>& joints);
 
-/// Returns the gains that a study tunes, as lines of its `parameters`: all p, i and d that are not 0. If the
-/// controller commands efforts, a joint's d of 0 is tuned too, provided that the file has a place for it and
-/// that the joint's p is not 0. The range of such a d is 0 to five times the damping that fits the arm's
-/// inertia at q (n) [rad, m]. undamped: receives the names of the joints with such a d.
+/// Returns armtune's controller of this kind with start gains for an arm at q (n) [rad, m]. Throws InputError
+/// if it is not one of joint_motion_controllers() (controller_gains.hpp).
+ControllerInFile new_controller(const std::string& kind, const RobotModel& arm, const JointVector& q);
+
+/// Returns the gains that a study tunes, as lines of the study's `parameters`: all that are tuned by default,
+/// are in the file if there is one, and are not 0. Gains that a robot accepts within fixed bounds get these
+/// bounds. For a joint_trajectory_controller that commands efforts, a joint's d of 0 is tuned too, provided
+/// that the file has a place for this d and that the joint's p is not 0. The range of such a d is 0 to five
+/// times the damping that fits the arm's inertia at q (n) [rad, m]. undamped: receives the names of the
+/// joints with such a d.
 std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
                              std::vector<std::string>& undamped);
 

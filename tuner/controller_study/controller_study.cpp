@@ -14,11 +14,12 @@
 #include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/input_file.hpp"
-#include "core/control/laws/joint_impedance_law.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/metrics/metric.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/trajectory_message.hpp"
 #include "sim/yaml/document.hpp"
@@ -32,6 +33,8 @@
 namespace armtune::internal {
 namespace {
 
+constexpr const char* kGainsFile = "gains.yaml";
+
 constexpr const char* kScenario = R"(description: {description}
 robot: {robot}
 planned: {{file: {motion}, segments: as_ros{units}}}
@@ -39,7 +42,7 @@ duration: planned
 control_period: {period}   # s
 theta_start: {{model_scale: 1.0}}   # {masses}
 {cell}
-# Properties of the real arm that the controller lacks. Replace them by the values of your arm.
+# Noise and delay of the real arm. Replace these values by those of your arm.
 plant:
   position_noise: 0.0001     # rad, m
   velocity_noise: 0.005      # rad/s, m/s
@@ -50,8 +53,8 @@ constexpr const char* kStudy = R"(description: {description}
 gains: {gains}   # start gains; their objective is 1
 {node}scenarios: [{scenarios}]
 
-# These gains are tuned from a fifth to five times their value in the file. To give other bounds, write
-# {{name: ..., lower: ..., upper: ...}}. A d of 0 starts without damping.
+# These gains are tuned from a fifth to five times their start value, unless bounds are given. To give other
+# bounds, write {{name: ..., lower: ..., upper: ...}}. A d of 0 starts without damping.
 parameters:
 {parameters}
 objective:
@@ -74,14 +77,14 @@ search:
   seed: 1
 )";
 
-/// The arm, and what of it has to be written: nothing where its files say all.
+/// The arm, and the text of robot.yaml if its own files do not describe it completely.
 struct Arm {
   std::shared_ptr<const RobotModel> model;
   std::shared_ptr<const ClearanceModel> clearance;
-  bool has_cell = false;                         ///< its file says what stands around it
-  std::vector<std::pair<Metric, bool>> contact;  ///< each kind, and whether it can be looked for
-  std::string yaml;                              ///< of robot.yaml; empty: none is needed
-  std::string reference;                         ///< how scenarios name it
+  bool has_cell = false;                         ///< true if its file describes the cell around it
+  std::vector<std::pair<Metric, bool>> contact;  ///< metric of each kind of contact; true if it applies
+  std::string yaml;                              ///< text of robot.yaml; empty: not needed
+  std::string reference;                         ///< name by which scenarios refer to the arm
 
   bool touches_itself() const { return contact.front().second; }
 };
@@ -108,7 +111,7 @@ Arm arm_of(const std::string& robot) {
   return arm;
 }
 
-/// Limits that this arm can break, as constraints of a study.
+/// Returns the limits that this arm can violate, as constraints of a study.
 std::string constraints_of(const Arm& arm) {
   std::string text;
   const auto add = [&text](Metric metric) {
@@ -137,9 +140,10 @@ std::string scenario_yaml(const StudyMotion& move, const Arm& arm, const Control
                                                        from.controller.name))),
       fmt::arg("robot", yaml::quoted(arm.reference)), fmt::arg("motion", yaml::quoted(move.reference)),
       fmt::arg("period", period),
-      fmt::arg("masses", from.gains.controller == kJointImpedance
-                             ? "the robot's own model of the arm, which gravity torques follow from"
-                             : "no effect: this controller uses no masses"),
+      fmt::arg("masses",
+               from.gains.controller == kJointTrajectoryController && !arm.model->compensates_gravity
+                   ? "no effect: this controller uses no masses"
+                   : "the robot's own model of the arm, from which it computes gravity torques"),
       fmt::arg("units", degrees ? ", units: {angle: deg}" : ""),
       fmt::arg("cell",
                arm.touches_itself() && !arm.has_cell
@@ -151,19 +155,31 @@ std::string scenario_yaml(const StudyMotion& move, const Arm& arm, const Control
 std::string study_yaml(const std::vector<StudyMotion>& moves, const Arm& arm,
                        const ControllerStudyInputs& inputs, const std::string& controller,
                        const std::string& parameters) {
+  const bool own_file = !inputs.controllers.empty();
   std::vector<std::string> scenarios;
   scenarios.reserve(moves.size());
   for (const StudyMotion& move : moves) scenarios.push_back(yaml::quoted(move.name + ".yaml"));
   return fmt::format(
       kStudy,
       fmt::arg("description", yaml::quoted(fmt::format("gains of {} for {}", controller, arm.model->name))),
-      fmt::arg("gains", yaml::quoted(absolute_path(inputs.controllers))),
+      fmt::arg("gains", own_file ? yaml::quoted(absolute_path(inputs.controllers)) : kGainsFile),
       fmt::arg("node", inputs.node.empty() ? "" : fmt::format("node: {}\n", yaml::quoted(inputs.node))),
       fmt::arg("scenarios", fmt::join(scenarios, ", ")), fmt::arg("parameters", parameters),
       fmt::arg("more", constraints_of(arm)));
 }
 
-/// Whether the folder has these files and nothing else, as an earlier call would have left it.
+/// Returns the control rate [Hz] that the user gives, or else the one in the parameter file. Throws
+/// InputError if there is neither.
+double rate_of(const ControllerStudyInputs& inputs, const ControllerInFile& from) {
+  if (inputs.rate > 0.0) return inputs.rate;
+  if (inputs.controllers.empty()) throw InputError("give the control rate with --rate HZ");
+  if (const auto rate = controller_rate(from.controller, inputs.controllers)) return *rate;
+  throw InputError(
+      InputPlace{inputs.controllers},
+      "the file has no update_rate of the controller manager; give the control rate with --rate HZ");
+}
+
+/// True if the folder contains exactly these files, as after an earlier call.
 bool is_there_already(const std::vector<std::pair<std::string, std::string>>& texts,
                       const std::string& folder) {
   std::error_code none;
@@ -184,20 +200,23 @@ bool is_there_already(const std::vector<std::pair<std::string, std::string>>& te
 
 std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudyInputs& inputs,
                                                            const std::string& folder) {
-  const Arm arm = arm_of(inputs.robot);
-  const ControllerInFile from = read_controller(inputs.controllers, inputs.node, joint_names(*arm.model));
-  const std::string& controller = from.controller.name;
-  const std::optional<double> rate =
-      inputs.rate > 0.0 ? inputs.rate : controller_rate(from.controller, inputs.controllers);
-  if (!rate)
+  const bool own_file = !inputs.controllers.empty();
+  if (own_file == !inputs.kind.empty())
     throw InputError(
-        InputPlace{inputs.controllers},
-        "the file has no update_rate of the controller manager; give the control rate with --rate HZ");
+        "give the robot's controller: its ROS parameter file with --controllers FILE, or the name of one of "
+        "armtune's controllers with --controller NAME");
+  const Arm arm = arm_of(inputs.robot);
+  ControllerInFile from;
+  from.controller.ros2 = true;
+  if (own_file) from = read_controller(inputs.controllers, inputs.node, joint_names(*arm.model));
+  const double rate = rate_of(inputs, from);
   const auto read = study_motions(inputs, {"", arm.model, arm.clearance, {}, from.controller.ros2});
   if (!read) return std::nullopt;
   const std::vector<StudyMotion>& moves = *read;
   const JointSpline& first = moves.front().motion;
   const JointVector start = first.at(first.begin()).position;
+  if (!own_file) from = new_controller(inputs.kind, *arm.model, start);
+  const std::string& controller = from.controller.name;
   std::vector<std::string> undamped;
   const std::string parameters = tuned_parameters(from, *arm.model, start, undamped);
 
@@ -207,9 +226,12 @@ std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudy
       {"study.yaml", study_yaml(moves, arm, inputs, controller, parameters)}};
   for (const StudyMotion& move : moves) {
     add_notes(move, files.notes);
-    texts.emplace_back(move.name + ".yaml", scenario_yaml(move, arm, inputs, from, 1.0 / *rate));
+    texts.emplace_back(move.name + ".yaml", scenario_yaml(move, arm, inputs, from, 1.0 / rate));
     if (!move.message.empty()) texts.emplace_back(move.reference, move.message);
   }
+  if (!own_file)
+    texts.emplace_back(
+        kGainsFile, gains_yaml(from.gains, {"start gains of " + controller + ", computed by armtune"}, {}));
   if (!undamped.empty())
     files.notes.push_back(
         fmt::format("the gain d of {} is 0 in {}; it is tuned as well, because the joints may need damping",

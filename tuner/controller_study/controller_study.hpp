@@ -13,32 +13,35 @@
 
 namespace armtune::internal {
 
-/// Joint positions that an arm reaches one after another, and stops at.
+/// Joint positions (goals) that an arm reaches one after another. It stops at each of them.
 struct JointGoals {
-  std::string file;  ///< where they come from, for messages
+  std::string file;  ///< file that the goals come from, for messages
   std::shared_ptr<const RobotModel> robot;
-  std::shared_ptr<const ClearanceModel> clearance;  ///< what must not touch
+  std::shared_ptr<const ClearanceModel> clearance;  ///< pairs of bodies that must not touch
   std::vector<JointVector> positions;               ///< n each, at least two [rad, m]
   bool ros2 = true;                                 ///< version of ROS that the message is for
 };
 
-/// A motion through joint goals, from 0 s on.
+/// A motion through joint goals. It begins at 0 s.
 struct TimedGoals {
-  JointSpline motion;   ///< its acceleration is linear between knots
+  JointSpline motion;   ///< its acceleration is linear between its points
   std::string message;  ///< the same motion as a trajectory_msgs/JointTrajectory in YAML
 };
-/// Returns nothing if it was stopped.
+/// A function that plans a motion through joint goals. It returns nothing if it was stopped.
 using GoalTiming = std::function<std::optional<TimedGoals>(const JointGoals&)>;
 
-/// Files of the user. Relative paths begin at the current folder.
+/// The user's files and options. Relative paths begin at the current folder.
 struct ControllerStudyInputs {
   std::string robot;                      ///< bundled name, robot YAML or URDF
-  std::string controllers;                ///< ROS parameter file with a joint_trajectory_controller
+  std::string controllers;                ///< ROS parameter file of the controller; empty: see kind
   std::string node;                       ///< name of the controller in the file; empty: the only one
   std::vector<std::string> trajectories;  ///< CSV files or ROS messages, at least one; with times or without
   double rate = 0.0;                      ///< rate of the controller [Hz]; 0: the file's update_rate
   bool degrees = false;                   ///< true: angles in CSV files are in degrees, not in radians
-  GoalTiming timing = {};                 ///< for files without times; empty: these are refused
+  GoalTiming timing = {};                 ///< plans motions for files without times; empty: these are refused
+  /// Without a parameter file: one of armtune's controllers that follow joint motions. Its start gains are
+  /// computed from the arm, and `rate` must be given.
+  std::string kind = {};
 };
 
 /// The files that were written, with notes for the user.
@@ -48,12 +51,16 @@ struct ControllerStudyFiles {
   std::vector<std::string> notes;    ///< assumptions that were made, one sentence each
 };
 
-/// Writes a study of the controller's gains into a new folder: study.yaml, a scenario for each motion, the
-/// message with the planned motion for each file without times, and, if no file gives the arm's rotor
-/// inertia, robot.yaml with an estimate. If the folder already holds exactly these files, they are kept.
-/// Reads all inputs before it writes anything. Throws InputError with the reason if the study cannot be made,
-/// if tuned gains could later not be written into the parameter file, or if the folder holds anything else.
-/// Returns nothing, and writes nothing, if the planning of a motion was stopped.
+/// Writes a study of the controller's gains into a new folder:
+///   - study.yaml, and a scenario for each motion;
+///   - for each file without times, the ROS message with the planned motion;
+///   - gains.yaml with the start gains, if there is no parameter file;
+///   - robot.yaml with an estimate of the arm's rotor inertia, if no file gives this inertia.
+///
+/// If the folder already contains exactly these files, they are kept. Reads all inputs before it writes
+/// anything. Throws InputError with the reason if the study cannot be made, if tuned gains could later not be
+/// written into the parameter file, or if the folder contains anything else. Returns nothing, and writes
+/// nothing, if the planning of a motion was stopped.
 std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudyInputs& inputs,
                                                            const std::string& folder);
 

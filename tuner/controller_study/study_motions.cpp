@@ -18,16 +18,16 @@
 namespace armtune::internal {
 namespace {
 
-constexpr std::string_view kMotion = "_motion";  // behind the scenario's name: a motion that was planned
+constexpr std::string_view kMotion = "_motion";  // added to the scenario's name for a planned motion
 
-/// A name that is not taken yet: with a number behind it if it is.
+/// Returns `stem`, with a number added if this name is taken, and adds the result to `taken`.
 std::string free_name(const std::string& stem, std::set<std::string>& taken) {
   std::string name = stem;
   for (int number = 2; !taken.insert(name).second; ++number) name = fmt::format("{}_{}", stem, number);
   return name;
 }
 
-/// Whether a motion goes along straight lines, so that its velocity jumps at points.
+/// True if straight lines join points of the motion, so that its velocity jumps at these points.
 bool is_straight(const JointSpline& motion) {
   const std::vector<double>& time = motion.time();
   for (std::size_t k = 0; k + 1 < time.size(); ++k) {
@@ -44,7 +44,7 @@ bool is_straight(const JointSpline& motion) {
 
 std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInputs& inputs, JointGoals arm) {
   std::vector<StudyMotion> motions;
-  std::set<std::string> taken = {"study", "robot"};
+  std::set<std::string> taken = {"study", "robot", "gains"};
   for (const std::string& path : inputs.trajectories) {
     const std::string name = free_name(std::filesystem::path(path).stem().string(), taken);
     check_result_name(name, path);
@@ -66,7 +66,7 @@ std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInput
     if (!timed) return std::nullopt;
     motions.push_back({path, name, std::move(timed->motion), "", std::move(timed->message)});
   }
-  // The scenarios keep their names.
+  // The files of planned motions are named last, so that all scenarios keep their names.
   for (StudyMotion& motion : motions) {
     if (!motion.message.empty())
       motion.reference = free_name(motion.name + std::string(kMotion), taken) + ".yaml";
@@ -78,7 +78,8 @@ void add_notes(const StudyMotion& move, std::vector<std::string>& notes) {
   if (!move.message.empty())
     notes.push_back(fmt::format(
         "{} has joint goals but no times. The motion through them was planned, takes {:.1f} s and stops at "
-        "every goal. {} has it for the robot, which must stand at the first goal when it begins",
+        "every goal. {} contains this motion for the robot. The robot must be at the first goal when the "
+        "motion begins",
         move.file, move.motion.end(), move.reference));
   if (move.message.empty() && is_straight(move.motion))
     notes.push_back(fmt::format(

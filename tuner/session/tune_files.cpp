@@ -11,6 +11,7 @@
 #include "core/common/input_file.hpp"
 #include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/controller_gains.hpp"
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/columns.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -39,7 +40,7 @@ const char* title_of(SearchOutcome outcome) {
   return "";
 }
 
-/// A file's own name, but for those that a run's folder has itself.
+/// Returns the name of a file, with "ros_" in front if the run folder has a file of this name itself.
 std::string name_beside_results(const std::string& path) {
   std::string name = std::filesystem::path(path).filename().string();
   for (const char* taken : {"gains.yaml", "study.yaml", "reduced_study.yaml", "run.yaml", "verdict.yaml"}) {
@@ -90,7 +91,7 @@ std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResul
       const RolloutResult& again = (*evaluations)[i].results[s];
       if (seen.engine == Engine::kSimbody && !same_metrics(again, seen.results[s])) {
         throw FailedError(
-            fmt::format("{}: a second simulation of the {} gains gave different metrics from the search's",
+            fmt::format("{}: a second simulation of the {} gains gave other metrics than the search",
                         study.scenarios[s].name, sets[i].name));
       }
       sets[i].results.push_back({study.scenarios[s].name, again});
@@ -123,15 +124,13 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 }
 
 std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder) {
-  if (study.gains.empty() || !has_parameter_file(gains.controller)) return {};
-  const std::string text = read_input_file(study.gains, yaml::kMaxBytes, "a YAML file");
-  if (!may_hold_controllers(text)) return {};
-  const auto controllers = ros_controllers(text, study.gains);
-  if (controllers.empty()) return {};
-  std::string name = name_beside_results(study.gains);
-  write_text_file(folder + "/" + name,
-                  with_gains(text, chosen_controller(controllers, study.gains, study.node), study.gains,
-                             gains, joint_names(*study.scenarios.front().robot)));
+  const std::vector<std::string> joints = joint_names(*study.scenarios.front().robot);
+  if (study.gains.empty()) return {};
+  const auto file = read_parameter_file(study.gains, study.node);
+  if (!file || controller_gains(file->controller, file->path, joints).controller != gains.controller)
+    return {};
+  std::string name = name_beside_results(file->path);
+  write_text_file(folder + "/" + name, with_gains(file->text, file->controller, file->path, gains, joints));
   return name;
 }
 

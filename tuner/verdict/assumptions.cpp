@@ -9,6 +9,7 @@
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
+#include "core/control/laws/position_streaming_law.hpp"
 #include "core/control/laws/velocity_drive.hpp"
 #include "core/robot/friction.hpp"
 #include "sim/scenario/plausibility.hpp"
@@ -16,7 +17,7 @@
 namespace armtune::internal {
 namespace {
 
-/// What the verdict assumes of the robot's rotors, joint by joint.
+/// Returns the assumption about the robot's rotor inertia.
 std::string rotors_text(const RobotModel& robot) {
   if (!robot.estimated_rotors.empty()) {
     const bool all = robot.estimated_rotors.size() == static_cast<std::size_t>(robot.n());
@@ -39,8 +40,9 @@ std::string rotors_text(const RobotModel& robot) {
       fmt::join(without, ", "), robot.name);
 }
 
-/// The joints whose friction at rest would make an explicit step of a control period unstable: h c > 2 d,
-/// with c the slope of the friction law and d the inertia that the joint moves where the scenario begins.
+/// Returns the joints whose friction at rest would make an explicit step of one control period unstable. The
+/// condition is h c > 2 d with the control period h, the slope c of the friction law, and the inertia d that
+/// the joint moves at the start of the scenario.
 std::vector<std::string> stiff_joints(const Scenario& scenario, const RobotModel& plant) {
   const JointVector inertia = joint_inertia(plant, scenario.start_position);
   std::vector<std::string> names;
@@ -52,8 +54,8 @@ std::vector<std::string> stiff_joints(const Scenario& scenario, const RobotModel
   return names;
 }
 
-/// What of the arm stands for it where its distance from obstacles is taken; empty: its shapes do, or no
-/// obstacle has a body.
+/// Returns the parts of the arm from which its distance to obstacles is measured. Returns an empty text if
+/// the distance is measured from the arm's shapes, or if no obstacle has a radius.
 std::string looked_at_for_obstacles(const Scenario& scenario) {
   const bool bodies = std::any_of(scenario.obstacles.begin(), scenario.obstacles.end(),
                                   [](const MovingObstacle& obstacle) { return obstacle.radius > 0.0; });
@@ -80,10 +82,11 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
                          kind, any_rate ? "; the robot does not limit how fast torques change" : ""),
              verdict.assumes);
   }
-  if (!is_joint_trajectory_controller(gains.controller)) return;
+  const bool streams = gains.controller == kPositionStreaming;
+  if (!streams && !is_joint_trajectory_controller(gains.controller)) return;
   for (const Scenario& scenario : scenarios) {
     const RobotModel& robot = *scenario.robot;
-    if (gains.controller == kJointTrajectoryVelocityController)
+    if (streams || gains.controller == kJointTrajectoryVelocityController)
       add_once(
           robot.drive_velocity_gain.size() > 0
               ? fmt::format("the drives of {} have the velocity loops that its file gives", robot.name)
@@ -93,6 +96,14 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
           verdict.assumes);
     if (robot.compensates_gravity)
       add_once(fmt::format("{} compensates gravity itself, as its file states", robot.name), verdict.assumes);
+  }
+  if (streams) {
+    add_once(
+        fmt::format("the robot's servo as docs/position_streaming.md describes it, because manufacturers "
+                    "publish no equation, and a position loop with a gain of {:.3g} /s",
+                    own(gains, "servo_position_gain")[0]),
+        verdict.assumes);
+    return;
   }
   add_once(
       "joint_trajectory_controller as docs/joint_trajectory_controller.md describes it: it runs at the "

@@ -338,6 +338,13 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   add_controller_assumption(franka, gains, verdict);
   EXPECT_THAT(verdict.assumes, ElementsAre(AllOf(HasSubstr("docs/cartesian_impedance.md"),
                                                  HasSubstr("does not limit how fast torques change"))));
+  verdict.assumes.clear();
+  change_controller(gains, "position_streaming", 6);
+  own(gains, "servo_position_gain")[0] = 17.5;
+  add_controller_assumption({test::scenario_of("moving_target")}, gains, verdict);
+  EXPECT_THAT(verdict.assumes,
+              ElementsAre(HasSubstr("bandwidth of 60 rad/s"),
+                          AllOf(HasSubstr("docs/position_streaming.md"), HasSubstr("17.5"))));
 }
 
 }  // namespace verdict_verdict_test

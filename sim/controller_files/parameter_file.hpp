@@ -1,0 +1,30 @@
+#pragma once
+// A file that has the gains of a robot's controller: a ROS parameter file, or any YAML file to which a map
+// binds gains (gain_map.hpp). Tuned gains can be written into a copy of it.
+
+#include <optional>
+#include <string>
+
+#include "sim/controller_files/ros_controllers.hpp"
+
+namespace armtune::internal {
+
+struct ParameterFile {
+  std::string path;  ///< of the file with the numbers
+  std::string text;  ///< its contents
+  RosController controller;
+};
+
+/// Reads the file at `path`, or the file that it binds gains to if it is a map. node: name of the controller
+/// in a ROS parameter file; empty: the only one. Returns nothing if it is neither a map nor a ROS parameter
+/// file with controllers. Throws InputError if a file cannot be read, or has no such controller.
+std::optional<ParameterFile> read_parameter_file(const std::string& path, const std::string& node = {});
+
+/// Returns true if the file is a map, or a ROS parameter file with controllers. Throws InputError if it
+/// cannot be read.
+bool is_parameter_file(const std::string& path);
+
+/// Returns the same controller with the values of a changed text of its file. Throws InputError.
+RosController with_text(const RosController& controller, const std::string& text, const std::string& file);
+
+}  // namespace armtune::internal

@@ -1,0 +1,136 @@
+// Numbers of a file that armtune does not know, bound to gains by a map: read, changed, read back.
+
+#include "sim/controller_files/gain_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/control/laws/controller_kind.hpp"
+#include "sim/controller_files/changed_gains.hpp"
+#include "sim/controller_files/controller_gains.hpp"
+#include "sim/controller_files/parameter_file.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/without_numbers.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::vector<std::string> kJoints = {"j1", "j2", "j3"};
+
+constexpr const char* kFile = R"(# Ein Regler, den armtune nicht kennt
+/**:
+  ros__parameters:
+    stiffness: [600.0, 250.0,   50.0]   # N m/rad
+    joints:
+      - {name: j1, kd: 5e1}
+      - {name: j2, kd: 20}
+      - {name: j3, kd: +10.0}
+    a/b: 0.25
+)";
+
+constexpr const char* kMap = R"(controller: joint_impedance
+file: own.yaml
+map:
+  /**/ros__parameters/stiffness: joint_impedance_k
+  /**/ros__parameters/joints/0/kd: joint_impedance_d/j1
+  /**/ros__parameters/joints/2/kd: joint_impedance_d/j3
+  /**/ros__parameters/joints/1/kd: joint_impedance_d/j2
+  /**/ros__parameters/a/b: joint_impedance_filter
+joint_impedance_torque_rate: 1000
+)";
+
+/// A folder with both files, and one text of the map in place of another.
+class Files {
+ public:
+  explicit Files(const std::string& from = "", const std::string& to = "") {
+    std::string map = kMap;
+    if (!from.empty()) map.replace(map.find(from), from.size(), to);
+    folder_.write("own.yaml", kFile);
+    path = folder_.write("map.yaml", map);
+  }
+  std::string path;
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+std::string refused(const std::string& from, const std::string& to) {
+  const Files files(from, to);
+  return test::refusal([&] { load_gains(files.path, kJoints); });
+}
+
+TEST(GainMap, BindsNumbersOfAnyFileToGains) {
+  const Files files;
+  const Gains gains = load_gains(files.path, kJoints);
+  EXPECT_EQ(gains.controller, "joint_impedance");
+  EXPECT_EQ(own(gains, "joint_impedance_k"), (JointVector(3) << 600.0, 250.0, 50.0).finished());
+  EXPECT_EQ(own(gains, "joint_impedance_d"), (JointVector(3) << 50.0, 20.0, 10.0).finished());
+  EXPECT_EQ(own(gains, "joint_impedance_filter")[0], 0.25);
+  EXPECT_EQ(own(gains, "joint_impedance_torque_rate")[0], 1000.0) << "as the map gives it";
+  EXPECT_EQ(own(gains, "joint_impedance_velocity_factor")[0], 1.0) << "the controller's default";
+  EXPECT_EQ(gains.velocity_margin, 0.0) << "a robot has no velocity governor of armtune's";
+  EXPECT_EQ(gains.velocity_barrier_gain, 0.0);
+}
+
+TEST(GainMap, ChangesTheNumbersAloneAndReadsThemBack) {
+  const Files files;
+  const ParameterFile file = read_parameter_file(files.path).value();
+  Gains gains = controller_gains(file.controller, file.path, kJoints);
+  own(gains, "joint_impedance_k") << 1.0 / 3.0, 250.0, 1e-7;
+  own(gains, "joint_impedance_d") << 7.0, 0.1, 12345.678;
+  const std::string changed = with_gains(file.text, file.controller, file.path, gains, kJoints);
+  EXPECT_EQ(test::without_numbers(changed), test::without_numbers(kFile));
+  const RosController again = with_text(file.controller, changed, file.path);
+  EXPECT_EQ(controller_gains(again, file.path, kJoints).own, gains.own);
+  const Gains before = controller_gains(file.controller, file.path, kJoints);
+  std::string restored = with_gains(changed, again, file.path, before, kJoints);
+  for (const auto& [now, was] :
+       {std::pair{"kd: 50.0", "kd: 5e1"}, {"kd: 20.0", "kd: 20"}, {"kd: 10.0", "kd: +10.0"}})
+    restored.replace(restored.find(now), std::string(now).size(), was);
+  EXPECT_EQ(restored, kFile);
+}
+
+TEST(GainMap, SaysWhatIsWrongWithAMap) {
+  EXPECT_THAT(refused("controller: joint_impedance\n", ""), HasSubstr("'controller'"));
+  EXPECT_THAT(refused("controller: joint_impedance\n", "controller: adaptive\n"),
+              AllOf(HasSubstr("'adaptive'"), HasSubstr("position_streaming")));
+  EXPECT_THAT(refused("file: own.yaml", "file: other.yaml"), HasSubstr("other.yaml"));
+  EXPECT_THAT(refused("/stiffness: j", "/stifness: j"),
+              HasSubstr("nothing at '/**/ros__parameters/stifness'"));
+  EXPECT_THAT(refused(": joint_impedance_k", ": joint_impedance_kk"),
+              AllOf(HasSubstr("no such gain"), HasSubstr("joint_impedance_k")));
+  EXPECT_THAT(refused(": joint_impedance_k", ": task_space_gains_p"), HasSubstr("no such gain"));
+  EXPECT_THAT(refused("joint_impedance_d/j1", "joint_impedance_d/j4"), HasSubstr("no 'j4'"));
+  EXPECT_THAT(refused("joint_impedance_d/j1", "joint_impedance_d/j2"),
+              HasSubstr("joint_impedance_d of j2 twice"));
+  EXPECT_THAT(refused("joint_impedance_d/j1", "joint_impedance_d"),
+              AllOf(HasSubstr("has 1 number,"), HasSubstr("joint_impedance_d/JOINT")));
+  EXPECT_THAT(refused("joints/0/kd", "joints/0/name"), HasSubstr("j1"));
+  EXPECT_THAT(refused("joint_impedance_torque_rate: 1000", "joint_impedance_torque_rates: 1000"),
+              HasSubstr("joint_impedance_torque_rate"));
+  EXPECT_THAT(refused("joint_impedance_torque_rate: 1000", "joint_impedance_k: [1, 2]"),
+              HasSubstr("2 numbers"));
+  const Files files;
+  EXPECT_THAT(test::refusal([&] { load_gains(files.path, kJoints, "", "node"); }), HasSubstr("'node'"));
+}
+
+// A file of armtune's own may have other keys of these names.
+TEST(GainMap, IsNotSeenInOtherFiles) {
+  const test::TemporaryFolder folder;
+  for (const char* text : {"map: {a: b}\n", "file: a\n# map: {}\n", "a: {map: {}, file: b}\n"}) {
+    EXPECT_FALSE(read_parameter_file(folder.write("f.yaml", text)).has_value()) << text;
+    EXPECT_FALSE(is_parameter_file(folder / "f.yaml")) << text;
+  }
+  EXPECT_TRUE(is_parameter_file(Files().path));
+}
+
+}  // namespace
+}  // namespace armtune::internal
