@@ -1,0 +1,101 @@
+// Scenarios that begin with a planned motion.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/scenario/robot_file.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/planned.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using test::refusal;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class PlannedScenario : public testing::Test {
+ protected:
+  PlannedScenario() {
+    plan_.start = JointVector::Constant(6, -0.5);
+    plan_.goal = JointVector::Constant(6, 0.7);
+  }
+  std::string csv() const { return test::plan_csv(*robot_, plan_); }
+  std::string write(const std::string& text) const { return folder_.write("plan.csv", text); }
+  Scenario scenario(const std::string& keys) const {
+    return load_scenario(folder_.write("own.yaml", "base: moving_target\n" + keys));
+  }
+
+  test::TemporaryFolder folder_;
+  std::shared_ptr<const RobotModel> robot_ = load_robot("ur10");
+  test::QuinticPlan plan_;
+};
+
+TEST_F(PlannedScenario, BeginsWithTheMotionAndLastsAsLongUnlessItSaysOtherwise) {
+  write(csv());
+  const Scenario s = scenario("planned: plan.csv\nduration: planned\n");
+  EXPECT_EQ(s.start_time, 8.0);
+  EXPECT_EQ(s.start_position, plan_.start);
+  EXPECT_TRUE(s.start_velocity.isZero(0.0));
+  EXPECT_EQ(s.periods(), 1000);
+  EXPECT_FALSE(s.has_task());
+  EXPECT_THAT(s.inputs, testing::Contains(folder_ / "plan.csv"));
+
+  const Scenario longer = scenario("planned: plan.csv\nduration: 5\n");
+  EXPECT_EQ(longer.duration, 5.0);
+  EXPECT_TRUE(longer.has_task());
+  EXPECT_EQ(scenario("planned: plan.csv\n").duration, 40.0) << "the base's";
+  EXPECT_TRUE(scenario("").has_task());
+  EXPECT_EQ(scenario("").start_time, 0.0);
+
+  // Not a whole number of periods: the last one is whole.
+  plan_.duration = 0.3002;
+  plan_.step = 0.0001;
+  write(csv());
+  const Scenario odd = scenario("planned: plan.csv\nduration: planned\n");
+  EXPECT_EQ(odd.periods(), 151);
+  EXPECT_FALSE(odd.has_task());
+  EXPECT_TRUE(scenario("planned: plan.csv\nduration: 0.304\n").has_task());
+}
+
+TEST_F(PlannedScenario, WithoutABaseNeedsNeitherDurationNorStart) {
+  write(csv());
+  const std::string own = folder_.write(
+      "whole.yaml",
+      "robot: ur10\ncontrol_period: 0.002\nplanned: plan.csv\npath: {center: [-0.65, 0.04, 0.5]}\n"
+      "targets: [{name: red, center: [-0.6, 0, 0]}]\ntheta_start: {model_scale: 1}\n");
+  EXPECT_EQ(load_scenario(own).periods(), 1000);
+}
+
+TEST_F(PlannedScenario, ASwitchOfTargetsAtItsBeginningIsOne) {
+  write(csv());
+  const auto switching = [&](const std::string& keys) {
+    return load_scenario(folder_.write("own.yaml",
+                                       "base: target_switch\nplanned: plan.csv\nduration: planned\n" + keys))
+        .switches_target();
+  };
+  EXPECT_TRUE(switching(""));
+  EXPECT_TRUE(switching("switch_every: 9\n"));
+  EXPECT_FALSE(switching("switch_every: 7\n"));
+  EXPECT_FALSE(switching("switch_every: 0\n"));
+}
+
+TEST_F(PlannedScenario, WhatDoesNotGoWithItIsRefused) {
+  write(csv());
+  EXPECT_THAT(refusal([&] {
+                scenario("planned: plan.csv\nstimulus: {on: path, step: {offset: [0, 0, 0.1], at: 9}}\n");
+              }),
+              AllOf(HasSubstr("own.yaml"), HasSubstr("stimulus")));
+  EXPECT_THAT(refusal([&] { scenario("duration: planned\n"); }),
+              AllOf(HasSubstr("own.yaml:2"), HasSubstr("no planned trajectory")));
+  EXPECT_THAT(refusal([&] { scenario("planned: other.csv\n"); }), HasSubstr("other.csv"));
+  plan_.duration = 1e-3;
+  plan_.step = 5e-4;
+  plan_.goal = plan_.start;
+  write(csv());
+  EXPECT_EQ(scenario("planned: plan.csv\nduration: planned\n").periods(), 1);
+}
+
+}  // namespace
+}  // namespace armtune::internal
