@@ -7,7 +7,7 @@ namespace armtune::internal {
 
 /// The drives of an arm under a controller that commands joint velocities. At the start their integrals are
 /// set to the torque that holds the arm. If the robot compensates gravity (RobotModel::compensates_gravity),
-/// the drives start without this torque, and it is added to theirs in every period.
+/// the integrals start at zero instead, and the gravity torque of each period is added to the drives' torque.
 class HeldDrives {
  public:
   /// period: control period [s].

@@ -9,7 +9,6 @@ namespace armtune::internal {
 PositionServo::PositionServo(const RobotModel& model, const ServoGains& gains, double period)
     : period_(period),
       most_(model.velocity_limits()),
-      change_(period * model.acceleration_limits()),
       position_(JointVector::Zero(model.n())),
       velocity_(JointVector::Zero(model.n())) {
   const double g = gains.gain;
@@ -32,9 +31,8 @@ void PositionServo::step(const JointVector& commanded) {
     double away = position_[i] - commanded[i];
     if (turns_[static_cast<std::size_t>(i)]) away = std::remainder(away, 2.0 * M_PI);
     const Eigen::Vector2d next = transition_ * Eigen::Vector2d(away, velocity_[i]);
-    const double reachable = std::clamp(next[1], velocity_[i] - change_[i], velocity_[i] + change_[i]);
-    const double velocity = std::clamp(reachable, -most_[i], most_[i]);
-    // A limit that acts makes the acceleration constant within the period.
+    const double velocity = std::clamp(next[1], -most_[i], most_[i]);
+    // If the limit acts, the acceleration is taken as constant within the period.
     position_[i] += velocity == next[1] ? next[0] - away : 0.5 * period_ * (velocity_[i] + velocity);
     velocity_[i] = velocity;
   }

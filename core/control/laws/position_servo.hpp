@@ -13,7 +13,7 @@ struct ServoGains {
 
 /// Moves a position q_s of each joint towards its commanded position q_c:
 ///   q_s'' = g (q_c - (q_s + T q_s')),
-/// within the limits of velocity and, if the robot has them, of acceleration. q_s + T q_s' is the position
+/// within the velocity limits. q_s + T q_s' is the position
 /// projected ahead with the present velocity, as the manual of servoj describes it (universal-robots.com,
 /// "ServoJ command", 2021). UR publishes no equation; this is the linear one that fits that description.
 /// Behind a q_c that moves at a constant velocity, q_s lags by T. Its damping ratio is T sqrt(g) / 2.
@@ -36,7 +36,7 @@ class PositionServo {
  private:
   double period_;
   Eigen::Matrix2d transition_;  ///< of (q_s - q_c, q_s') over a period
-  JointVector most_, change_;   ///< limits: of the velocity, and of its change in a period
+  JointVector most_;            ///< velocity limits
   std::array<bool, kMaxJoints> turns_{};
   JointVector position_, velocity_;
 };

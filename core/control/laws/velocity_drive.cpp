@@ -24,6 +24,10 @@ DriveGains drive_gains(const RobotModel& model) {
   return gains;
 }
 
+JointVector drive_step(const RobotModel& model, const JointVector& q, double period) {
+  return period * drive_gains(model).gain.cwiseQuotient(joint_inertia(model, q));
+}
+
 VelocityDrives::VelocityDrives(const RobotModel& model)
     : gains_(drive_gains(model)),
       velocity_(model.velocity_limits()),

@@ -42,7 +42,7 @@ ControllerKind named(const char* name) {
   return kind;
 }
 
-TEST(ControllerKind, OfArmtuneAreEight) {
+TEST(ControllerKind, OfArmtuneAreNine) {
   std::vector<std::string> names;
   for (const ControllerKind* kind : controller_kinds()) names.push_back(kind->name);
   ASSERT_GE(names.size(), 9U);

@@ -72,6 +72,19 @@ TEST(VelocityDrives, ArePiControllersWithinTheLimits) {
   EXPECT_TRUE(cut_effort);
 }
 
+// q' changes by period (M^-1)_ii tau_i, with M and the rotors inverted here as a whole.
+TEST(VelocityDrives, StepIsTheShareOfAVelocityErrorThatAPeriodRemoves) {
+  std::mt19937 generator(953);
+  for (const RobotModel& arm : test::all_arms()) {
+    const JointVector q = test::random_configuration(generator, arm);
+    JointMatrix M = test::mass_matrix_at(arm.chain, q);
+    M.diagonal() += arm.chain.rotor_inertia;
+    const JointVector step = drive_step(arm, q, 0.004), gain = drive_gains(arm).gain;
+    for (int i = 0; i < arm.n(); ++i)
+      EXPECT_NEAR(step[i], 0.004 * gain[i] * M.inverse()(i, i), 1e-9 * step[i]) << arm.name;
+  }
+}
+
 TEST(VelocityDrives, AllocateNothing) {
   if (!test::allocations_are_counted()) GTEST_SKIP() << "a sanitizer owns malloc";
   std::mt19937 generator(952);
