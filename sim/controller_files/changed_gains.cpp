@@ -83,11 +83,12 @@ void refuse_what_is_lost(const std::string& changed, const RosController& contro
     const bool each = own_gain->shape == GainShape::kJoints;
     throw InputError(
         InputPlace{file, 0, field.name},
-        fmt::format(
-            "{}: {}{} must become {}, but the changed file would still give {}; set this gain in the file by "
-            "hand",
-            controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
-            yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k])));
+        fmt::format("{}: {}{} must become {}, but the changed file would still give {}; {}", controller.name,
+                    field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
+                    yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k]),
+                    controller.layout == GainLayout::kMapped
+                        ? "bind this gain to a number of the file in the map"
+                        : "set this gain in the file by hand"));
   }
 }
 
@@ -121,6 +122,12 @@ std::string with_gains(const std::string& text, const RosController& controller,
                                   change.gain, change.text));
     }
     if (!change.differs) continue;
+    if (controller.layout == GainLayout::kMapped && change.at->text.find_first_of(".eE") == std::string::npos)
+      parameters.fail(
+          change.at->line,
+          fmt::format("{} is written as the integer {}, but must become {}; write {}.0 if the program "
+                      "that reads the file accepts decimals",
+                      change.gain, change.at->text, change.text, change.at->text));
     changed += text.substr(copied, change.at->begin - copied) + change.text;
     copied = change.at->end;
   }

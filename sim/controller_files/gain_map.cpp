@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <set>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "armtune/error.hpp"
@@ -23,20 +24,50 @@ namespace {
 
 using yaml::PlacedValue;
 
-/// Returns the value at the rest of a path, or null if there is none. A key may itself contain '/'.
-const PlacedValue* value_at(const PlacedValue& from, std::string_view path) {
-  const auto below = [path](std::string_view key, const PlacedValue& value) -> const PlacedValue* {
-    if (path == key) return &value;
-    const bool is_above = path.size() > key.size() && path.starts_with(key) && path[key.size()] == '/';
-    return is_above ? value_at(value, path.substr(key.size() + 1)) : nullptr;
+constexpr std::size_t kDigits = 6;  // of an index
+
+[[noreturn]] void fail(const RosController& controller, const std::string& what) {
+  throw InputError(InputPlace{controller.map_file}, what);
+}
+
+/// Returns the value of a list or a map whose index or key is the beginning of `path`, and removes this
+/// beginning from `path`. Returns null if there is none. A key may itself contain '/'; throws InputError if
+/// two keys fit.
+const PlacedValue* next_value(const PlacedValue& from, std::string_view& path,
+                              const RosController& controller) {
+  const PlacedValue* found = nullptr;
+  std::string_view used;
+  const auto fits = [&path](std::string_view key) {
+    return path.starts_with(key) && (path.size() == key.size() || path[key.size()] == '/');
   };
   for (const yaml::PlacedEntry& entry : from.entries) {
-    if (const PlacedValue* found = below(entry.key, *entry.value)) return found;
+    if (!fits(entry.key)) continue;
+    if (found != nullptr)
+      fail(controller,
+           fmt::format("the keys '{}' and '{}' of the file both fit the place '{}'; such a file cannot be "
+                       "mapped",
+                       used, entry.key, path));
+    found = entry.value.get();
+    used = entry.key;
   }
-  for (std::size_t k = 0; k < from.items.size(); ++k) {
-    if (const PlacedValue* found = below(fmt::to_string(k), *from.items[k].value)) return found;
+  const std::string index(path.substr(0, path.find('/')));
+  for (std::size_t k = 0; k < from.items.size() && found == nullptr && index.size() < kDigits; ++k) {
+    if (index != fmt::to_string(k)) continue;
+    found = from.items[k].value.get();
+    used = index;
   }
-  return nullptr;
+  // A '/' at the end remains, and fits no key.
+  if (found != nullptr) path.remove_prefix(used.size() + (path.size() > used.size() + 1 ? 1 : 0));
+  return found;
+}
+
+/// Returns the value at a path, or null if there is none.
+const PlacedValue* value_at(const RosController& controller, std::string_view path) {
+  const PlacedValue* value = controller.all.get();
+  do {
+    value = next_value(*value, path, controller);
+  } while (value != nullptr && !path.empty());
+  return value;
 }
 
 /// A number of a gain: the field, and the place of the number in it.
@@ -55,7 +86,7 @@ std::vector<std::string> own_names(const Gains& gains) {
 }
 
 Target target_of(const Gains& gains, const std::string& gain, const std::vector<std::string>& joints,
-                 const ParameterReader& reader) {
+                 const RosController& controller) {
   const auto slash = gain.find('/');
   const std::string name = gain.substr(0, slash);
   for (const GainField& field : fields_of(gains)) {
@@ -65,14 +96,13 @@ Target target_of(const Gains& gains, const std::string& gain, const std::vector<
     const std::string part = gain.substr(slash + 1);
     const auto found = std::find(parts.begin(), parts.end(), part);
     if (found == parts.end() || parts.size() == 1)
-      reader.fail(1, fmt::format("the map names gain '{}', but {} has no '{}'{}", gain, name, part,
-                                 parts.size() == 1 ? std::string() : suggestion(part, parts)));
+      fail(controller, fmt::format("gain '{}': {} has no '{}'{}", gain, name, part,
+                                   parts.size() == 1 ? std::string() : suggestion(part, parts)));
     return {&field, static_cast<std::size_t>(found - parts.begin()), 1};
   }
   const std::vector<std::string> names = own_names(gains);
-  reader.fail(
-      1, fmt::format("the map names gain '{}', but controller '{}' has no such gain of its own{}; it has: {}",
-                     gain, gains.controller, suggestion(name, names), fmt::join(names, ", ")));
+  fail(controller, fmt::format("controller '{}' has no such gain of its own: '{}'{}; it has: {}",
+                               gains.controller, gain, suggestion(name, names), fmt::join(names, ", ")));
 }
 
 /// Calls `see` with every number of the file that the map names: its gain, place, name and index in the gain.
@@ -81,16 +111,18 @@ void for_each_number(const RosController& controller, const std::string& file, c
                      const std::vector<std::string>& joints, const See& see) {
   const ParameterReader reader(controller, file);
   for (const GainPlace& place : controller.places) {
-    const Target target = target_of(gains, place.gain, joints, reader);
-    const PlacedValue* value = value_at(*controller.all, place.path);
-    if (value == nullptr)
-      reader.fail(1, fmt::format("there is nothing at '{}', which the map names", place.path));
+    const Target target = target_of(gains, place.gain, joints, controller);
+    const PlacedValue* value = value_at(controller, place.path);
+    if (value == nullptr) fail(controller, fmt::format("there is nothing at '{}' in {}", place.path, file));
     const bool is_list = value->kind == PlacedValue::Kind::kSequence;
     const std::size_t count = is_list ? value->items.size() : 1;
     if (count != target.count)
-      reader.fail(value->line,
-                  fmt::format("'{}' has {} number{}, but {} has {}; name each joint: '{}/JOINT'", place.path,
-                              count, count == 1 ? "" : "s", place.gain, target.count, target.field->name));
+      reader.fail(
+          value->line,
+          fmt::format("'{}' has {} number{}, but {} has {}; bind a list of them, or one number for each "
+                      "joint: '{}/JOINT'",
+                      place.path, count, count == 1 ? "" : "s", place.gain, target.count,
+                      target.field->name));
     for (std::size_t k = 0; k < count; ++k)
       see(reader, is_list ? *value->items[k].value : *value, *target.field, target.first + k, place.path);
   }
@@ -103,21 +135,34 @@ std::string name_of(const GainField& field, std::size_t k, const std::vector<std
 
 }  // namespace
 
-std::optional<GainMap> gain_map(const std::string& text, const std::string& path) {
+bool is_gain_map(const std::string& text, const std::string& path) {
+  if (!may_hold_map(text)) return false;
+  const yaml::Placed root = yaml::read_placed(text, path);
+  const auto has = [&root](const char* key, PlacedValue::Kind kind) {
+    const PlacedValue* value = root->find(key);
+    return value != nullptr && value->kind == kind;
+  };
+  return has("controller", PlacedValue::Kind::kScalar) && has("file", PlacedValue::Kind::kScalar) &&
+         has("map", PlacedValue::Kind::kMap);
+}
+
+GainMap gain_map(const std::string& text, const std::string& path) {
   const yaml::Node root = yaml::parse_text(text, path);
-  if (root.kind() != yaml::Node::Kind::kMap || root.find("map") == nullptr) return std::nullopt;
   yaml::MapReader map(root);
   GainMap read;
   RosController& controller = read.controller;
   controller.layout = GainLayout::kMapped;
   controller.name = std::filesystem::path(path).filename().string();
+  controller.map_file = path;
   const yaml::Node& kind = map.required("controller");
   controller.kind = kind.as_string();
   const std::vector<std::string> kinds = joint_motion_controllers();
   if (std::find(kinds.begin(), kinds.end(), controller.kind) == kinds.end())
     kind.fail(fmt::format("'{}' is not a controller that a map can name{}; these are: {}", controller.kind,
                           suggestion(controller.kind, kinds), fmt::join(kinds, ", ")));
-  const std::filesystem::path file = map.required("file").as_string();
+  const yaml::Node& named = map.required("file");
+  const std::filesystem::path file = named.as_string();
+  if (file.empty()) named.fail("the name of the file is empty");
   read.file = (std::filesystem::path(path).parent_path() / file).string();
   controller.ros2 = !map.boolean("ros1", false);
   const yaml::Node& places = map.required("map");
@@ -142,9 +187,8 @@ Gains mapped_gains(const RosController& controller, const std::string& file,
   for (const auto& [name, values] : controller.others) {
     JointVector& own_values = own(gains, name);
     if (values.size() != 1 && values.size() != static_cast<std::size_t>(own_values.size()))
-      ParameterReader(controller, file)
-          .fail(1, fmt::format("the map gives {} numbers for {}, which has {}", values.size(), name,
-                               own_values.size()));
+      fail(controller, fmt::format("{} has {} numbers here, but the gain has {}", name, values.size(),
+                                   own_values.size()));
     for (Eigen::Index k = 0; k < own_values.size(); ++k)
       own_values[k] = values.size() == 1 ? values[0] : values[static_cast<std::size_t>(k)];
   }
@@ -157,6 +201,24 @@ Gains mapped_gains(const RosController& controller, const std::string& file,
                                                           name_of(field, k, joints), place));
                     numbers(gains, field)[k] = reader.finite(value, fmt::format("'{}'", place));
                   });
+  for (const GainField& field : fields_of(gains)) {
+    if (!std::holds_alternative<OwnGain>(field.member)) continue;
+    const auto& others = controller.others;
+    const bool has_value = std::any_of(others.begin(), others.end(),
+                                       [&field](const auto& other) { return other.first == field.name; });
+    std::vector<std::string> without;
+    for (std::size_t k = 0; k < numbers(gains, field).size(); ++k) {
+      if (!given.contains({field.name, k})) without.push_back(name_of(field, k, joints));
+    }
+    if (has_value && without.empty())
+      fail(controller, fmt::format("{} is bound to the file and has a value here as well; remove one of both",
+                                   field.name));
+    if (!has_value && !without.empty() &&
+        (field.search != SearchRange::kNone || without.size() < numbers(gains, field).size()))
+      fail(controller,
+           fmt::format("no value of {}; bind it to a number of the file, or give '{}: VALUE' here",
+                       fmt::join(without, ", "), field.name));
+  }
   return gains;
 }
 

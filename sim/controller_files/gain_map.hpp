@@ -2,7 +2,6 @@
 // Binds numbers of any YAML file to gains of one of armtune's controllers. With such a map armtune can tune
 // the parameter file of a controller that it does not know, if one of its own control laws does the same.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,11 @@ struct GainMap {
   RosController controller;  ///< without `all` and `parameters`
 };
 
-/// Returns the map that a YAML text contains; nothing if the text has no key `map`. The keys are:
+/// Returns true if the text is a map: it has the keys `controller`, `file` and `map`. Throws InputError if it
+/// has keys of these names, but is not YAML.
+bool is_gain_map(const std::string& text, const std::string& path);
+
+/// Reads a map. Its keys are:
 ///   controller: one of joint_motion_controllers()
 ///   file:       the file with the numbers; a relative path begins in the folder of the map
 ///   map:        {PLACE: GAIN, ...}, see GainPlace. A list of n numbers for a gain of n joints, or one
@@ -26,7 +29,7 @@ struct GainMap {
 ///   (default: false)
 /// Further keys are gains that the file does not have, with their numbers. Throws InputError "FILE:LINE:
 /// what".
-std::optional<GainMap> gain_map(const std::string& text, const std::string& path);
+GainMap gain_map(const std::string& text, const std::string& path);
 
 /// Returns the gains that a file with such a map has, for an arm with these joints, in their order. Gains
 /// that the map does not name have the defaults of the controller, or the values that the map gives. Throws

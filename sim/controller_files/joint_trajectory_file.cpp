@@ -68,9 +68,11 @@ class Reader : public JointParameters {
     if (commands.empty() || commands == std::vector<std::string>{"effort"}) return kJointTrajectoryController;
     if (commands != std::vector<std::string>{"velocity"})
       fail(controller().parameters->line,
-           fmt::format("the controller commands {}; armtune simulates either effort commands or velocity "
-                       "commands",
-                       fmt::join(commands, ", ")));
+           fmt::format(
+               "the controller commands {}; armtune simulates either effort commands or velocity "
+               "commands with such a file; for streamed positions, use --controller position_streaming "
+               "instead of this file",
+               fmt::join(commands, ", ")));
     const PlacedValue* open_loop = controller().parameters->find("open_loop_control");
     if (open_loop != nullptr && (open_loop->text == "true" || open_loop->text == "True"))
       fail(open_loop->line, "with open_loop_control the gains have no effect; set it to false to tune them");
@@ -122,8 +124,8 @@ class Reader : public JointParameters {
       const PlacedValue* value = of_joint(joint, key);
       if (value == nullptr || !std::isfinite(number(*value, key))) continue;
       fail(value->line,
-           fmt::format("armtune does not simulate the {} of {}; remove it, because the joint's own limit "
-                       "bounds the command",
+           fmt::format("armtune does not simulate the {} of {}; remove it from the file: the joint's own "
+                       "limit then bounds the command",
                        key, joint));
     }
   }

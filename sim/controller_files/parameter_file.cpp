@@ -13,15 +13,14 @@ namespace armtune::internal {
 
 std::optional<ParameterFile> read_parameter_file(const std::string& path, const std::string& node) {
   std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
-  if (may_hold_map(text)) {
-    if (auto map = gain_map(text, path)) {
-      if (!node.empty())
-        throw InputError(
-            InputPlace{path},
-            fmt::format("a node ('{}') cannot be named with a map; write the places in the map", node));
-      text = read_input_file(map->file, yaml::kMaxBytes, "a YAML file");
-      return ParameterFile{map->file, text, with_text(map->controller, text, map->file)};
-    }
+  if (is_gain_map(text, path)) {
+    if (!node.empty())
+      throw InputError(
+          InputPlace{path},
+          fmt::format("a node ('{}') cannot be named with a map; write the places in the map", node));
+    const GainMap map = gain_map(text, path);
+    text = read_input_file(map.file, yaml::kMaxBytes, "a YAML file");
+    return ParameterFile{map.file, text, with_text(map.controller, text, map.file)};
   }
   if (!may_hold_controllers(text)) return std::nullopt;
   const auto all = ros_controllers(text, path);
@@ -32,7 +31,7 @@ std::optional<ParameterFile> read_parameter_file(const std::string& path, const 
 
 bool is_parameter_file(const std::string& path) {
   const std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
-  if (may_hold_map(text) && gain_map(text, path)) return true;
+  if (is_gain_map(text, path)) return true;
   return may_hold_controllers(text) && !ros_controllers(text, path).empty();
 }
 

@@ -91,7 +91,7 @@ bool may_hold_controllers(std::string_view text) {
 }
 
 bool may_hold_map(std::string_view text) {
-  return has_key(text, "map") && has_key(text, "file");
+  return has_key(text, "controller") && has_key(text, "file") && has_key(text, "map");
 }
 
 std::vector<RosController> ros_controllers(const std::string& text, const std::string& file) {

@@ -35,6 +35,7 @@ struct RosController {
   yaml::Placed parameters;  ///< the map that contains the gains
   yaml::Placed all;         ///< the whole file
   // The rest is for kMapped only.
+  std::string map_file = {};           ///< file of the map
   std::string kind = {};               ///< armtune's controller
   std::vector<GainPlace> places = {};  ///< of the gains
   std::vector<std::pair<std::string, std::vector<double>>> others =
@@ -44,7 +45,8 @@ struct RosController {
 /// Returns true if a text may contain controllers, because it has a key `gains` or `k_gains`.
 bool may_hold_controllers(std::string_view text);
 
-/// Returns true if a text may be a map of gains (gain_map.hpp), because it has keys `map` and `file`.
+/// Returns true if a text may be a map of gains (gain_map.hpp), because it has the keys `controller`, `file`
+/// and `map`.
 bool may_hold_map(std::string_view text);
 
 /// Returns all controllers of the file, in its order. Throws InputError if the text is not YAML.

@@ -16,8 +16,8 @@ class NumberTable {
  public:
   /// Reads a file and keeps the columns for whose names `wanted` returns true. A last row without a line end
   /// is left out, because the run was killed while writing it. Throws InputError with file and line as
-  /// CsvTable does, and if a wanted cell is neither empty nor a number. Throws InputError with the file if
-  /// there are more than 40 million wanted cells.
+  /// CsvTable does, and also if a wanted cell is neither empty nor a number. Throws InputError with the file
+  /// if there are more than 40 million wanted cells.
   static NumberTable read(const std::string& path, const std::function<bool(std::string_view)>& wanted);
   /// Keeps all columns of a table that was read already. Throws InputError if a cell is neither empty nor a
   /// number.

@@ -80,8 +80,8 @@ PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {
     throw InputError(
         InputPlace{path},
         fmt::format(
-            "column {} belongs to the tool's orientation; if this is the tool's path, give 'orientation: "
-            "{{waypoints: ...}}' with the same file, otherwise take the column out",
+            "column {} gives the tool's orientation, which is not used here; if the file is the tool's path, add "
+            "'orientation: {{waypoints: ...}}' with the same file, otherwise remove the column",
             column));
   }
   const std::vector<double> time = rising_seconds(named, waypoints);

@@ -97,6 +97,7 @@ TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
 TEST(Help, LimitsDefaultsAndOtherOptionsStandBehindADescription) {
   EXPECT_THAT(help("margins"), HasSubstr("--workers INT"));
   EXPECT_THAT(help("margins"), HasSubstr("(1 to 1024; default: one per processor)"));
+  EXPECT_THAT(help("tune"), HasSubstr("(at least 1; default: study's value)"));
   EXPECT_THAT(help("compare"), HasSubstr("(not with --gains)"));
   EXPECT_THAT(help("init"), HasSubstr("(required)"));
   EXPECT_THAT(help("simulate", "--help-all"), HasSubstr("one of: midpoint, "));

@@ -32,7 +32,7 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
   CLI::Option* controllers = command.add_option(
       "--controllers", inputs.controllers,
       "your unchanged ROS parameter file. It has the controller to tune: a joint_trajectory_controller, or "
-      "the joint impedance controller of a Franka");
+      "the joint impedance controller of a Franka. For any other file, a map of gains (docs/file_formats.md)");
   CLI::Option* trajectory =
       command
           .add_option(

@@ -94,8 +94,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   CLI::Option* into = command->add_option(
       "--into", args->into,
-      "ROS parameter file of the gains' controller; the output is a copy of this file in which only the "
-      "gains are changed");
+      "ROS parameter file of the gains' controller, or a map of gains (docs/file_formats.md); the output is "
+      "a copy of the parameter file in which only the gains are changed");
   into->excludes("--format");
   command->add_option(
       "--node", args->node,

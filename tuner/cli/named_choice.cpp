@@ -45,11 +45,9 @@ CLI::Option* add_engine_option(CLI::App& command, std::string& engine) {
 
 CLI::Option* add_controller_option(CLI::App& command, std::string& controller) {
   return command
-      .add_option(
-          "--controller", controller,
-          "tune this controller instead of the study's controller; the search varies the gains that "
-          "'armtune controllers' marks with *. With --robot it takes the place of --controllers; its start "
-          "gains are computed from the arm")
+      .add_option("--controller", controller,
+                  "tune this controller instead of the study's controller; the search varies the gains that "
+                  "'armtune controllers' marks with *")
       ->check(names_shown(controller_kinds(), [](const ControllerKind* kind) { return kind->name; }));
 }
 

@@ -42,8 +42,9 @@ void add_report_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("DIR", args->folder, "run folder of simulate, tune, pareto, robustness, compare or plan")
       ->required();
-  command->add_option("--out", args->path,
-                      "new file for the page (default: DIR/report.html, which is overwritten)");
+  command->add_option(
+      "--out", args->path,
+      "file for the page, which must not exist yet (default: DIR/report.html, which is overwritten)");
   command->footer(
       "The page needs neither a server nor a network. Sections for which the folder has no data are left\n"
       "out. Meshes of the arm are drawn if they are binary STL files in the robot's folder. The robot's\n"

@@ -78,9 +78,13 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("tune", "Tune the gains of a study, and write the results to a run folder");
   CLI::Option* study = command->add_option("STUDY", args->study,
                                            "a bundled study, such as ur10_gaze, or a YAML file of your own");
-  add_controller_option(*command, args->controller);
+  CLI::Option* controller = add_controller_option(*command, args->controller);
+  controller->description(
+      controller->get_description() +
+      ". With --robot, give this option if the controller has no parameter file: its start "
+      "gains are then computed from the arm");
   add_controller_study_options(*command, args->own, false);
-  command->get_option("--controllers")->excludes(command->get_option("--controller"));
+  command->get_option("--controllers")->excludes(controller);
   command->get_option("--robot")->excludes(study);
   add_run_options(*command, "new folder for the results (default: runs/<study>_<time>)", settings.place,
                   settings.workers, settings.deadline);

@@ -183,9 +183,9 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
              outcome.ending != Ending::kInterrupted && !file.empty()) {
     say(fmt::format(
         "A copy of {} with the tuned gains was not written, because a check failed or was skipped, or "
-        "because the file cannot hold the gains. 'armtune export {} --into FILE --out NEW' writes the copy "
+        "because the file cannot hold the gains. 'armtune export {} --into {} --out NEW' writes the copy "
         "if the file can hold the gains.\n",
-        shown_path(file), folder));
+        shown_path(file), folder, shown_path(study_.gains)));
   }
   if (outcome.ending == Ending::kInterrupted) {
     say(fmt::format("interrupted: {}; to resume: {} tune --resume {}\n",

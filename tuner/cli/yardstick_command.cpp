@@ -71,7 +71,7 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       ->add_option(
           "--knots", args->options.knots,
           "number of intervals in each plan's time grid; the plan of a lap has more if an interval would "
-          "otherwise be longer than 25 ms (12.5 ms if targets switch)")
+          "otherwise be longer than 25 ms, or than 12.5 ms if targets switch")
       ->check(CLI::Range(20, 10000))
       ->capture_default_str();
   command->footer(

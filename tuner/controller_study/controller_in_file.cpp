@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kMostDamping = 5.0;  // times the damping that fits the arm's inertia
 
-/// Gains that a robot accepts within fixed bounds only.
+/// Gains that UR robots accept within fixed bounds only.
 struct AcceptedRange {
   std::string_view gain;
   double lower, upper;
@@ -141,8 +141,8 @@ std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm
                                         [field](const AcceptedRange& a) { return a.gain == field->name; });
     if (values.size() == 1 && !is_in_file(from, *field, 0)) continue;
     if (accepted != kAccepted.end()) {
-      text += fmt::format("  - {{name: {}, lower: {}, upper: {}}}   # what the robot accepts\n", field->name,
-                          accepted->lower, accepted->upper);
+      text += fmt::format("  - {{name: {}, lower: {}, upper: {}}}   # what UR robots accept\n", field->name,
+                          std::min(accepted->lower, values[0]), std::max(accepted->upper, values[0]));
       continue;
     }
     const auto is_tuned = [&](Eigen::Index k) { return values[k] != 0.0 && is_in_file(from, *field, k); };

@@ -15,6 +15,8 @@
 #include "core/common/file_path.hpp"
 #include "core/common/input_file.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
+#include "core/control/laws/position_streaming_law.hpp"
+#include "core/control/laws/velocity_drive.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/metrics/metric.hpp"
@@ -34,6 +36,8 @@ namespace armtune::internal {
 namespace {
 
 constexpr const char* kGainsFile = "gains.yaml";
+constexpr double kFastDrive =
+    0.4;  // with three periods of delay, as margins have, a loop is unstable at 0.45
 
 constexpr const char* kScenario = R"(description: {description}
 robot: {robot}
@@ -172,11 +176,41 @@ std::string study_yaml(const std::vector<StudyMotion>& moves, const Arm& arm,
 /// InputError if there is neither.
 double rate_of(const ControllerStudyInputs& inputs, const ControllerInFile& from) {
   if (inputs.rate > 0.0) return inputs.rate;
-  if (inputs.controllers.empty()) throw InputError("give the control rate with --rate HZ");
+  // In a file that armtune does not know, a key update_rate may mean anything.
+  if (inputs.controllers.empty() || from.controller.layout == GainLayout::kMapped)
+    throw InputError("give the control rate with --rate HZ");
   if (const auto rate = controller_rate(from.controller, inputs.controllers)) return *rate;
   throw InputError(
       InputPlace{inputs.controllers},
       "the file has no update_rate of the controller manager; give the control rate with --rate HZ");
+}
+
+/// Adds a note if the simulated velocity drives are too fast for the control rate [Hz] somewhere on the
+/// motions.
+void note_fast_drives(const Gains& gains, const RobotModel& arm, const std::vector<StudyMotion>& moves,
+                      double rate, std::vector<std::string>& notes) {
+  if (gains.controller != kPositionStreaming && gains.controller != kJointTrajectoryVelocityController)
+    return;
+  constexpr int kPoints = 50;  // on each motion
+  double most = 0.0;
+  Eigen::Index joint = 0;
+  for (const StudyMotion& move : moves) {
+    for (int k = 0; k <= kPoints; ++k) {
+      const double share = static_cast<double>(k) / kPoints;
+      const double time = move.motion.begin() + share * (move.motion.end() - move.motion.begin());
+      Eigen::Index fastest = 0;
+      const double step = drive_step(arm, move.motion.at(time).position, 1.0 / rate).maxCoeff(&fastest);
+      if (step <= most) continue;
+      most = step;
+      joint = fastest;
+    }
+  }
+  if (most < kFastDrive) return;
+  notes.push_back(fmt::format(
+      "the simulated velocity drive of {} is too fast for {:.4g} Hz: it removes {:.0f} % of a velocity error in "
+      "each period, and at most {:.0f} % is safe. The arm may shake in simulation although it does not on the "
+      "robot. Give a higher --rate, or the drives' drive_velocity_gain in a robot YAML",
+      arm.joints[static_cast<std::size_t>(joint)].name, rate, 100.0 * most, 100.0 * kFastDrive));
 }
 
 /// True if the folder contains exactly these files, as after an earlier call.
@@ -221,6 +255,10 @@ std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudy
   const std::string parameters = tuned_parameters(from, *arm.model, start, undamped);
 
   ControllerStudyFiles files;
+  note_fast_drives(from.gains, *arm.model, moves, rate, files.notes);
+  if (from.controller.layout == GainLayout::kMapped)
+    files.notes.push_back(fmt::format("lists of numbers in {} are taken in the order of the joints {}",
+                                      from.file, fmt::join(from.joints, ", ")));
   files.study = folder + "/study.yaml";
   std::vector<std::pair<std::string, std::string>> texts = {
       {"study.yaml", study_yaml(moves, arm, inputs, controller, parameters)}};

@@ -43,7 +43,7 @@ class Sampled {
 class LogInstants {
  public:
   /// Must be called before the values of each log are added. filter_norm: Euclidean norm of the weights of
-  /// the filters that the instants' torques have passed.
+  /// the filters that are applied to the log's torques.
   void begin_log(double filter_norm) {
     filter_norm_ = filter_norm;
     last_.resize(0);

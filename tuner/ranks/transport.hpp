@@ -45,7 +45,7 @@ class Transport {
   virtual void send(int to, std::string message) = 0;
   /// Returns the next message from the rank `from`, or nothing if none has arrived.
   virtual std::optional<std::string> receive(int from) = 0;
-  /// Ends MPI together with all other ranks. No call may follow.
+  /// Ends MPI in this process. Every rank must call it; no other call may follow.
   virtual void end() = 0;
   /// Ends the processes of all ranks at once.
   virtual void abort(int exit_code) = 0;

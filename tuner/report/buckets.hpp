@@ -10,7 +10,7 @@ namespace armtune::internal::report {
 
 class Buckets {
  public:
-  /// Divides `rows` rows into `most` (>= 1) buckets. If a bucket would hold two rows or fewer, there are no
+  /// Divides the rows into `most` (>= 1) buckets. If a bucket would hold two rows or fewer, there are no
   /// buckets, and every row is kept.
   Buckets(std::size_t rows, std::size_t most);
 

@@ -31,13 +31,13 @@ std::optional<std::vector<double>> Merits::of(const std::vector<std::vector<doub
 }
 
 std::optional<std::vector<double>> Merits::confirmed(const std::vector<std::vector<double>>& points,
-                                                     std::vector<double> merits, std::size_t looked_at) {
+                                                     std::vector<double> merits, std::size_t most_important) {
   std::vector<std::size_t> again;
   again.reserve(points.size());
   for (std::size_t i = 0; points_of(i).reset < points.size(); ++i) again.push_back(points_of(i).reset);
   std::stable_sort(again.begin(), again.end(),
                    [&](std::size_t a, std::size_t b) { return merits[a] > merits[b]; });
-  again.resize(std::min(again.size(), looked_at));
+  again.resize(std::min(again.size(), most_important));
   again.push_back(0);  // the best
   std::vector<std::vector<double>> chosen;
   chosen.reserve(again.size());

@@ -36,12 +36,12 @@ class Merits {
   std::optional<std::vector<double>> of(const std::vector<std::vector<double>>& points, Engine engine);
 
   /// Checks `merits`, which another engine computed for `points`, and returns the checked merits. Simbody
-  /// simulates the best point again. For each of the `looked_at` most important parameters it also simulates
-  /// the point with that parameter at its start value. The merits from Simbody replace the given ones. If one
-  /// of them differs by more than rounding, Simbody simulates all points again. Returns nothing if `stop`
-  /// became true before all were done.
+  /// simulates the best point again. For each of the first `most_important` parameters by importance it also
+  /// simulates the point with that parameter at its start value. The merits from Simbody replace the given
+  /// ones. If one of them differs by more than rounding, Simbody simulates all points again. Returns nothing
+  /// if `stop` became true before all were done.
   std::optional<std::vector<double>> confirmed(const std::vector<std::vector<double>>& points,
-                                               std::vector<double> merits, std::size_t looked_at);
+                                               std::vector<double> merits, std::size_t most_important);
 
  private:
   const Study& study_;

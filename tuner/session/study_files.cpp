@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -42,6 +43,9 @@ double seconds_left(long evaluations, long max_evaluations, double seconds, doub
 
 std::vector<std::string> files_of(const Study& study) {
   std::vector<std::string> files = {study.source, study.gains};
+  if (const auto numbers = study.gains.empty() ? std::nullopt : read_parameter_file(study.gains, study.node);
+      numbers && numbers->path != study.gains)
+    files.push_back(numbers->path);
   if (study.warm) files.push_back(study.warm->source);
   add_inputs(study.scenarios, files);
   return files;

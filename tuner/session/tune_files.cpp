@@ -40,13 +40,13 @@ const char* title_of(SearchOutcome outcome) {
   return "";
 }
 
-/// Returns the name of a file, with "ros_" in front if the run folder has a file of this name itself.
+/// Returns the name of a file, with "ros_" in front if the run folder may have a file of this name itself.
 std::string name_beside_results(const std::string& path) {
-  std::string name = std::filesystem::path(path).filename().string();
-  for (const char* taken : {"gains.yaml", "study.yaml", "reduced_study.yaml", "run.yaml", "verdict.yaml"}) {
-    if (name == taken) return "ros_" + name;
-  }
-  return name;
+  const std::filesystem::path name = std::filesystem::path(path).filename();
+  bool taken = name.extension() != ".yaml" && name.extension() != ".yml";
+  for (const char* own : {"gains.yaml", "study.yaml", "reduced_study.yaml", "run.yaml", "verdict.yaml"})
+    taken = taken || name == own;
+  return (taken ? "ros_" : "") + name.string();
 }
 
 bool same_metrics(const RolloutResult& a, const RolloutResult& b) {

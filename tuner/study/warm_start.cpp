@@ -70,8 +70,8 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
     if (!has(warm.gains, entry)) {
       throw InputError(
           InputPlace{warm.source},
-          fmt::format("no {} is given, but the study tunes this gain; add the gain to this file, or list "
-                      "in the study under warm_start/parameters only gains that this file has",
+          fmt::format("no {} is given, but the study tunes this gain; add the gain to this file, or restrict "
+                      "warm_start/parameters in the study to gains that this file has",
                       entry.name));
     }
     value(there, entry) = value(warm.gains, entry);

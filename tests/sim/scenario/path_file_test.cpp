@@ -190,7 +190,7 @@ TEST(PathFile, WaypointsThatCannotBeAreRefusedWithFileLineAndColumn) {
               AllOf(HasSubstr("points.csv:2"), HasSubstr("column y")));
   EXPECT_THAT(refused("time,x,y,z\n0,0,0,0\n"), HasSubstr("at least two"));
   EXPECT_THAT(refused("time,x,y,z,qw\n0,0,0,0,1\n1,1,1,1,1\n"),
-              AllOf(HasSubstr("column qw"), HasSubstr("take the column out")));
+              AllOf(HasSubstr("column qw"), HasSubstr("remove the column")));
   EXPECT_THAT(refused("time,x,y,z,roll\n0,0,0,0,1\n1,1,1,1,1\n"),
               AllOf(HasSubstr("column 'roll'"), HasSubstr("take it out")));
   EXPECT_THAT(refused("time,x,y,z\n0,0,0,0\n1e-9,1,1,1\n1,1,1,1\n"),

@@ -17,6 +17,7 @@
 #include "sim/scenario/robot_file.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/controller_study/controller_rate.hpp"
+#include "tuner/session/study_files.hpp"
 #include "tuner/session/tune_files.hpp"
 #include "tuner/study/study.hpp"
 
@@ -128,6 +129,13 @@ TEST(ControllerStudy, StartsWithGainsOfItsOwnWithoutAParameterFile) {
   EXPECT_EQ(servo.space.free[1].lower, 0.03);
   EXPECT_EQ(servo.space.free[1].upper, 0.2);
 
+  // At 125 Hz the drives that are assumed cannot be simulated.
+  EXPECT_THAT(files.notes, testing::Not(Contains(HasSubstr("too fast"))));
+  inputs.rate = 125.0;
+  EXPECT_THAT(write_controller_study(inputs, folder / "slow").value().notes,
+              Contains(AllOf(HasSubstr("too fast for 125 Hz"), HasSubstr("drive_velocity_gain"))));
+  inputs.rate = 500.0;
+
   for (const std::string& kind : joint_motion_controllers()) {
     inputs.kind = kind;
     const Study study = load_study(write_controller_study(inputs, folder / kind).value().study);
@@ -146,14 +154,20 @@ TEST(ControllerStudy, StartsWithGainsOfItsOwnWithoutAParameterFile) {
 // Of a file that armtune does not know, the numbers that a map names are tuned, and no others.
 TEST(ControllerStudy, TunesWhatAMapBindsToGains) {
   const test::TemporaryFolder folder;
-  folder.write("own.yaml", "stiff: [300, 300, 300, 100, 100, 100]\nelbow: 25.0\n");
+  folder.write("own.yaml",
+               "stiff: [300.0, 300.0, 300.0, 100.0, 100.0, 100.0]\nelbow: 25.0\nupdate_rate: 500\n");
   ControllerStudyInputs inputs = example();
-  inputs.rate = 500.0;
   inputs.controllers =
       folder.write("map.yaml",
                    "controller: joint_impedance\nfile: own.yaml\nmap: {stiff: joint_impedance_k, "
                    "elbow: joint_impedance_d/elbow_joint}\njoint_impedance_d: 12\n");
-  const Study study = load_study(write_controller_study(inputs, folder / "made").value().study);
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }), HasSubstr("--rate"));
+  inputs.rate = 500.0;
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
+  EXPECT_THAT(files.notes,
+              Contains(AllOf(HasSubstr("own.yaml"), HasSubstr("shoulder_pan_joint, shoulder_lift"))));
+  const Study study = load_study(files.study);
+  EXPECT_THAT(files_of(study), Contains(folder / "own.yaml"));
   ASSERT_EQ(study.space.free.size(), 7U);
   EXPECT_EQ(study.space.free.back().entry.name, "joint_impedance_d/elbow_joint");
   EXPECT_EQ(study.space.free.back().upper, 125.0);
@@ -164,10 +178,10 @@ TEST(ControllerStudy, TunesWhatAMapBindsToGains) {
   std::filesystem::create_directory(folder / "run");
   EXPECT_EQ(write_controllers(study, gains, folder / "run"), "own.yaml");
   EXPECT_EQ(test::read_text(folder / "run/own.yaml"),
-            "stiff: [300, 432.1, 300, 100, 100, 100]\nelbow: 31.0\n");
+            "stiff: [300.0, 432.1, 300.0, 100.0, 100.0, 100.0]\nelbow: 31.0\nupdate_rate: 500\n");
   own(gains, "joint_impedance_d")[0] = 13.0;
   EXPECT_THAT(test::refusal([&] { write_controllers(study, gains, folder / "run"); }),
-              AllOf(HasSubstr("joint_impedance_d"), HasSubstr("by hand")));
+              AllOf(HasSubstr("joint_impedance_d"), HasSubstr("in the map")));
 }
 
 TEST(ControllerStudy, SaysNothingOfAMotionWithVelocities) {

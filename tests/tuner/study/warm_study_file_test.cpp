@@ -129,7 +129,7 @@ TEST_F(WarmStudyFile, ATunedGainThatTheWarmGainsLeaveOutIsRefusedUnlessOthersAre
   warm.gains.joint_space_goal.resize(0);
   EXPECT_THAT(
       test::refusal([&] { warm_point(space, warm); }),
-      AllOf(HasSubstr("other.yaml: no joint_space_goal"), HasSubstr("list in the study under warm_start")));
+      AllOf(HasSubstr("other.yaml: no joint_space_goal"), HasSubstr("restrict warm_start/parameters")));
   warm.parameters = {"task_space_gains_p"};
   const WarmPoint point = warm_point(space, warm);
   EXPECT_NEAR(space.gains_at(point.x).task_space_gains_p[3], 40.0, 1e-12);

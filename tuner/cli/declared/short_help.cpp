@@ -66,8 +66,9 @@ std::string names_of(const std::set<CLI::Option*>& options) {
   return names;
 }
 
-/// Returns the conditions that help shows in brackets after the description of an option.
-std::vector<std::string> conditions(const CLI::Option& option) {
+/// Returns the conditions that help shows in brackets after the description of an option. default_in_words:
+/// what the description says of the default, or empty.
+std::vector<std::string> conditions(const CLI::Option& option, const std::string& default_in_words) {
   std::vector<std::string> all;
   if (option.get_required()) all.emplace_back("required");
   if (const std::string limits = value_type(option).limits; !limits.empty()) all.push_back(limits);
@@ -77,6 +78,7 @@ std::vector<std::string> conditions(const CLI::Option& option) {
       option.get_description().find("default:") != std::string::npos || !option.get_option_text().empty();
   if (const std::string value = option.get_default_str(); !value.empty() && !told)
     all.push_back("default: " + value);
+  if (!default_in_words.empty()) all.push_back(default_in_words);
   if (!option.get_needs().empty()) all.push_back("only with " + names_of(option.get_needs()));
   if (!option.get_excludes().empty()) all.push_back("not with " + names_of(option.get_excludes()));
   return all;
@@ -127,15 +129,14 @@ class HelpFormatter final : public CLI::Formatter {
 
   std::string make_option_desc(const CLI::Option* option) const override {
     std::string text = option->get_description();
-    const std::vector<std::string> more = conditions(*option);
+    std::string default_in_words;
+    if (const auto at = text.rfind("(default: "); at != std::string::npos && text.ends_with(')')) {
+      default_in_words = text.substr(at + 1, text.size() - at - 2);
+      text.resize(at == 0 ? 0 : at - 1);  // without the blank in front
+    }
+    const std::vector<std::string> more = conditions(*option, default_in_words);
     if (more.empty()) return wrapped(text);
-    const bool open = text.ends_with(')');
-    if (open) text.pop_back();
-    return wrapped(fmt::format("{}{}{})", text,
-                               open           ? "; "
-                               : text.empty() ? "("
-                                              : " (",
-                               fmt::join(more, "; ")));
+    return wrapped(fmt::format("{}{}({})", text, text.empty() ? "" : " ", fmt::join(more, "; ")));
   }
 
  private:

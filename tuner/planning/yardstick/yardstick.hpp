@@ -59,8 +59,8 @@ PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOp
 double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Trajectory& trajectory,
                 const std::vector<double>& times);
 
-/// Plans the best motion for an event. Returns the value that this motion reaches, which is the event's
-/// limit. If no plan keeps its distance from the obstacles, the plan is made without them.
+/// Plans the best motion for an event. Returns the value of the event's metric for this motion, which no
+/// controller can better. If no plan keeps its distance from the obstacles, the plan is made without them.
 Measure measure(const Event& event, const Scenario& scenario, const YardstickOptions& options,
                 const PlanObserver& observer);
 
