@@ -71,7 +71,7 @@ TEST(OwnFiles, AreNotChangedWhereChecksWereLeftOut) {
   const Finished tuned =
       run_program(of_example("tune", {"--max-evaluations", "8", "--no-analysis", "--out", run}));
   EXPECT_THAT(tuned.out, AllOf(HasSubstr("ros2_controllers.yaml with the tuned gains was not written"),
-                               HasSubstr("--into FILE")));
+                               HasSubstr("--into " + kExample + "ros2_controllers.yaml")));
   EXPECT_TRUE(std::filesystem::exists(run + "/gains.yaml"));
   EXPECT_FALSE(std::filesystem::exists(run + "/ros2_controllers.yaml"));
   // The same again: its study is there already, and its run's folder is not to be overwritten.
