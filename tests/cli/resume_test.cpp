@@ -136,9 +136,10 @@ TEST(Resume, AnInterruptWhileItRecallsLosesNothing) {
     std::this_thread::sleep_for(std::chrono::milliseconds(wait));
     program.interrupt();
     const Finished ended = program.wait();
-    // Before the program listens to signals one ends it, and nothing was touched.
-    EXPECT_THAT(ended.exit_code, testing::AnyOf(130, -1)) << ended.err;
-    if (ended.exit_code == 130) {
+    // Before the program listens to signals one ends it, and nothing was touched. On a busy machine the run
+    // may end before the signal arrives.
+    EXPECT_THAT(ended.exit_code, testing::AnyOf(0, 130, -1)) << ended.err;
+    if (ended.exit_code != -1) {
       EXPECT_GE(lines_of(files / "run/evaluations.csv"), finished + 1) << wait;
     }
   }
