@@ -378,7 +378,7 @@ TEST(ControllerStudy, TheSameCallAgainLeavesWhatIsThereAndAChangedStudyIsNotOver
 TEST(ControllerStudy, WritesNothingWhereAFileIsWrong) {
   const test::TemporaryFolder folder;
   const auto refused = [&](const ControllerStudyInputs& inputs) {
-    const std::string why = test::refusal([&] { write_controller_study(inputs, folder / "new"); });
+    std::string why = test::refusal([&] { write_controller_study(inputs, folder / "new"); });
     EXPECT_FALSE(std::filesystem::exists(folder / "new")) << why;
     return why;
   };
