@@ -70,11 +70,15 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
   }
 }
 
-/// Returns the parameter file of the robot's controller that has the start gains; empty if there is none.
+/// Returns the parameter file of the robot's controller that has the start gains. Returns an empty text if
+/// there is none, or if another kind of controller is tuned.
 std::string parameter_file_of(const Study& study) {
   if (study.gains.empty()) return {};
   const auto file = read_parameter_file(study.gains, study.node);
-  return file ? file->path : std::string();
+  if (!file) return {};
+  const std::vector<std::string> joints = joint_names(*study.scenarios.front().robot);
+  const Gains in_file = controller_gains(file->controller, file->path, joints);
+  return in_file.controller == study.space.start.controller ? file->path : std::string();
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ JointVector nearness(Metric metric, const RobotModel& model, const Observation& 
   }
 }
 
-/// Simulates one arm until the metric reaches the limit, and returns the breach; nothing if it does not.
+/// Simulates one arm until the metric reaches the limit. Returns the breach, or nothing if there is none.
 std::optional<Breach> breach_of(const Scenario& scenario, const Gains& gains, const EndLimit& limit,
                                 Stepper stepper) {
   const Engine engine = stepper == Stepper::kReference ? Engine::kSimbody : Engine::kNative;

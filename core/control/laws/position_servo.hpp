@@ -13,10 +13,10 @@ struct ServoGains {
 
 /// Moves a position q_s of each joint towards its commanded position q_c:
 ///   q_s'' = g (q_c - (q_s + T q_s')),
-/// within the velocity limits. q_s + T q_s' is the position
-/// projected ahead with the present velocity, as the manual of servoj describes it (universal-robots.com,
-/// "ServoJ command", 2021). UR publishes no equation; this is the linear one that fits that description.
-/// Behind a q_c that moves at a constant velocity, q_s lags by T. Its damping ratio is T sqrt(g) / 2.
+/// within the velocity limits. q_s + T q_s' is the position projected ahead with the present velocity, as the
+/// manual of servoj describes it (universal-robots.com, "ServoJ command", 2021). UR publishes no equation;
+/// this is the linear one that fits that description. Behind a q_c that moves at a constant velocity, q_s
+/// lags by T. Its damping ratio is T sqrt(g) / 2.
 class PositionServo {
  public:
   /// period: control period h [s].
