@@ -10,10 +10,6 @@
 
 namespace armtune::internal {
 
-bool has_parameter_file(const std::string& kind) {
-  return kind == kJointImpedance || is_joint_trajectory_controller(kind);
-}
-
 std::vector<std::string> joint_motion_controllers() {
   return {kJointTrajectoryController, kJointTrajectoryVelocityController, kJointImpedance,
           kPositionStreaming};

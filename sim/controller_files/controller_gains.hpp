@@ -10,9 +10,6 @@
 
 namespace armtune::internal {
 
-/// True if ROS parameter files can hold gains of this kind of controller.
-bool has_parameter_file(const std::string& kind);
-
 /// Returns the names of armtune's controllers that follow joint motions by gains of their own.
 std::vector<std::string> joint_motion_controllers();
 
