@@ -31,7 +31,8 @@ namespace {
       !std::filesystem::is_directory(parent, ignored)) {
     throw InputError(
         InputPlace{path},
-        fmt::format("cannot write it: {} is not a folder; create it, or name another file", parent));
+        fmt::format("cannot write this file: there is no folder {}; create the folder, or name another file",
+                    parent));
   }
   errno = reason;
   fail(reason == EEXIST ? partial_path(path) : path, "write it");  // the user can remove what is there
@@ -85,8 +86,11 @@ void write_new_text_file(const std::string& path, std::string_view text) {
   refuse_existing(path);
   const std::string partial = write_partial(path, text);
   bool placed = ::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) == 0;
-  if (!placed && (errno == EINVAL || errno == ENOSYS))  // the file system has no RENAME_NOREPLACE
-    placed = std::rename(partial.c_str(), path.c_str()) == 0;
+  // Some file systems have no RENAME_NOREPLACE. A link does not replace a file either, but some have no
+  // links.
+  if (!placed && (errno == EINVAL || errno == ENOSYS))
+    placed = ::link(partial.c_str(), path.c_str()) == 0 && ::unlink(partial.c_str()) == 0;
+  if (!placed && errno == EPERM) placed = std::rename(partial.c_str(), path.c_str()) == 0;
   if (!placed) give_up(partial, path, "create it");
   sync_folder_of(path);
 }

@@ -15,12 +15,12 @@ constexpr double kVarianceOfSecondDifference = 6.0;
 
 void LogInstants::add_logged_torque(const JointVector& torque) {
   if (before_last_.size() > 0 && last_.size() > 0)
-    second_differences_.add((torque - 2.0 * last_ + before_last_).cwiseAbs());
+    second_differences_.add(filter_norm_ * (torque - 2.0 * last_ + before_last_).cwiseAbs());
   before_last_ = last_;
   last_ = torque;
 }
 
-JointVector LogInstants::logged_torque_noise() const {
+JointVector LogInstants::torque_noise() const {
   const std::vector<JointVector>& differences = second_differences_.kept();
   if (differences.empty()) return {};
   JointVector noise(differences.front().size());

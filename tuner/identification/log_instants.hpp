@@ -55,16 +55,14 @@ class LogInstants {
   const std::vector<LogInstant>& kept() const { return instants_.kept(); }
   /// Returns the standard deviation of the noise in the filtered torques of the instants (n) [N m, N]. It is
   /// valid if the noise of the logged torques is white. It is computed from the median size of the second
-  /// differences of the logged torques. The motion hardly changes this median, because smooth torques have
-  /// small second differences, and jumps of friction are rare. The result is empty if no log has three
-  /// samples.
-  JointVector torque_noise() const { return filter_norm_ * logged_torque_noise(); }
+  /// differences of the logged torques, each times the norm of its log's filters. The motion hardly changes
+  /// this median, because smooth torques have small second differences, and jumps of friction are rare. The
+  /// result is empty if no log has three samples.
+  JointVector torque_noise() const;
 
  private:
-  JointVector logged_torque_noise() const;
-
   Sampled<LogInstant> instants_;
-  Sampled<JointVector> second_differences_;
+  Sampled<JointVector> second_differences_;  ///< of the logged torques, times the norm of their log's filters
   JointVector last_, before_last_;
   double filter_norm_ = 1.0;
 };

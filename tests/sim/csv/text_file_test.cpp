@@ -43,7 +43,7 @@ TEST(TextFile, AFolderThatIsNotThereIsNamedAsTheUserNamedIt) {
     for (const auto write : {write_text_file, write_new_text_file}) {
       const std::string why = test::refusal([&] { write(parent + "/x.html", "text"); });
       EXPECT_THAT(why, HasSubstr(parent + "/x.html: "));
-      EXPECT_THAT(why, HasSubstr(parent + " is not a folder"));
+      EXPECT_THAT(why, HasSubstr("there is no folder " + parent));
       EXPECT_THAT(why, testing::Not(HasSubstr("partial")));
     }
   }
