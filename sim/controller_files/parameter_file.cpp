@@ -29,6 +29,13 @@ std::optional<ParameterFile> read_parameter_file(const std::string& path, const 
   return ParameterFile{path, std::move(text), std::move(controller)};
 }
 
+std::vector<std::string> files_of_gains(const std::string& path, const std::string& node) {
+  std::vector<std::string> files = {path};
+  const auto numbers = read_parameter_file(path, node);
+  if (numbers && numbers->path != path) files.push_back(numbers->path);
+  return files;
+}
+
 bool is_parameter_file(const std::string& path) {
   const std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
   if (is_gain_map(text, path)) return true;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/controller_files/ros_controllers.hpp"
 
@@ -19,6 +20,10 @@ struct ParameterFile {
 /// in a ROS parameter file; empty: the only one. Returns nothing if it is neither a map nor a ROS parameter
 /// file with controllers. Throws InputError if a file cannot be read, or has no such controller.
 std::optional<ParameterFile> read_parameter_file(const std::string& path, const std::string& node = {});
+
+/// Returns the files that gains are read from: `path`, and the file that it binds gains to if it is a map.
+/// Throws InputError as read_parameter_file does.
+std::vector<std::string> files_of_gains(const std::string& path, const std::string& node = {});
 
 /// Returns true if the file is a map, or a ROS parameter file with controllers. Throws InputError if it
 /// cannot be read.

@@ -94,6 +94,37 @@ TEST(OwnFiles, BecomeAStudyThatIsNotTunedYet) {
   EXPECT_FALSE(std::filesystem::exists(folder / "my study/gains.yaml"));
 }
 
+TEST(OwnFiles, MotionsCanBeSlowedDown) {
+  const test::TemporaryFolder folder;
+  const Finished made = run_program(of_example("init", {"--speed", "0.25", "--out", folder / "slow"}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(test::read_text(folder / "slow/moves.yaml"), HasSubstr("speed: 0.25"));
+  EXPECT_EQ(run_program(of_example("init", {"--speed", "0", "--out", folder / "none"})).exit_code, 2);
+}
+
+// Both are inputs: the map, and the file that has the numbers.
+TEST(OwnFiles, ARunWithAMapOfGainsKeepsItAndTheFileThatItNames) {
+  const test::TemporaryFolder folder;
+  run_program(of_example("init", {"--out", folder / "study"}));
+  folder.write("numbers.yaml", "stiff: 400.0\n");
+  std::string map = "controller: joint_impedance\nfile: numbers.yaml\nmap:\n";
+  map += "  stiff: joint_impedance_k/elbow_joint\njoint_impedance_d: 20\njoint_impedance_k: 300\n";
+  const std::string gains = folder.write("map.yaml", map);
+  const std::string scenario = folder / "study/moves.yaml";
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"simulate", scenario, "--gains", gains, "--engine", "native"},
+        {"compare", gains, gains, "--scenarios", scenario},
+        {"robustness", gains, "--scenarios", scenario, "--samples", "2"}}) {
+    std::vector<std::string> all = words;
+    const std::string run = folder / words[0];
+    all.insert(all.end(), {"--out", run});
+    const Finished done = run_program(all);
+    EXPECT_TRUE(done.exit_code == 0 || done.exit_code == 3) << words[0] << ": " << done.err;
+    EXPECT_THAT(test::read_text(run + "/run.yaml"), AllOf(HasSubstr("map.yaml"), HasSubstr("numbers.yaml")))
+        << words[0];
+  }
+}
+
 TEST(OwnFiles, AStreamOfPositionsIsTunedWithoutAParameterFile) {
   const test::TemporaryFolder folder;
   const std::vector<std::string> words = {
@@ -127,6 +158,7 @@ TEST(OwnFiles, OptionsThatMeanNothingTogetherAreRefused) {
         {"tune", "--robot", "ur5e", "--trajectory", "b"},
         {"tune", "ur10_gaze", "--degrees"},
         {"tune", "ur10_gaze", "--rate", "500"},
+        {"tune", "ur10_gaze", "--speed", "0.5"},
         {"init", "--robot", "ur5e", "--trajectory", "b", "--rate", "500", "--out", "c"},
         {"init", "--robot", "ur5e", "--controllers", "a", "--trajectory", "b"}}) {
     const Finished refused = run_program(words);

@@ -1,5 +1,6 @@
 #include "tuner/evaluation/simulate_points.hpp"
 
+#include "sim/controller_files/parameter_file.hpp"
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
@@ -8,7 +9,10 @@ RolloutPlan plan_of(const Study& study, double deadline) {
   RolloutPlan plan = plan_of(simulated_scenarios(study), study.stepper, study.robust);
   plan.deadline = deadline;
   if (!study.source.empty()) plan.facts.emplace_back("study", hash_of_input(study.source));
-  if (!study.gains.empty()) plan.facts.emplace_back("start gains", hash_of_input(study.gains));
+  if (!study.gains.empty()) {
+    for (const std::string& file : files_of_gains(study.gains, study.node))
+      plan.facts.emplace_back("start gains", hash_of_input(file));
+  }
   return plan;
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/rollouts/recording_memory.hpp"
@@ -83,7 +84,9 @@ void CompareSession::write_files() const {
   }
   Provenance p;
   p.command = context_.invocation.line;
-  for (const GainsToSimulate& set : sets_) p.inputs.push_back(set.path);
+  for (const GainsToSimulate& set : sets_) {
+    for (const std::string& file : files_of_gains(set.path)) p.inputs.push_back(file);
+  }
   add_inputs(settings_.scenarios, p.inputs);
   p.workers = settings_.workers;
   write_provenance(settings_.folder, p);

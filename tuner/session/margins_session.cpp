@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -41,7 +42,7 @@ void MarginsSession::write_results() {
   write_margins(outcome_.margins);
   Provenance p;
   p.command = context_.invocation.line;
-  if (!settings_.gains_path.empty()) p.inputs = {settings_.gains_path};
+  if (!settings_.gains_path.empty()) p.inputs = files_of_gains(settings_.gains_path);
   add_inputs(settings_.scenarios, p.inputs);
   p.workers = settings_.options.workers;
   p.wall_seconds = watch_.seconds();

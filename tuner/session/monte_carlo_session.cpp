@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -45,7 +46,7 @@ std::optional<MonteCarloOutcome> MonteCarloSession::run(RankGroup& ranks) {
 
 std::vector<std::string> MonteCarloSession::inputs() const {
   std::vector<std::string> inputs;
-  if (!settings_.gains_path.empty()) inputs.push_back(settings_.gains_path);
+  if (!settings_.gains_path.empty()) inputs = files_of_gains(settings_.gains_path);
   add_inputs(settings_.scenarios, inputs);
   return inputs;
 }
@@ -53,7 +54,10 @@ std::vector<std::string> MonteCarloSession::inputs() const {
 RolloutPlan MonteCarloSession::plan() const {
   RolloutPlan plan = monte_carlo_plan(settings_.scenarios, settings_.options);
   plan.deadline = settings_.deadline;
-  if (!settings_.gains_path.empty()) plan.facts = {{"gains", hash_of_input(settings_.gains_path)}};
+  if (!settings_.gains_path.empty()) {
+    for (const std::string& file : files_of_gains(settings_.gains_path))
+      plan.facts.emplace_back("gains", hash_of_input(file));
+  }
   return plan;
 }
 

@@ -51,9 +51,9 @@ void SensitivitySession::write_files(const HashedTable& evaluations, int workers
   write_sensitivity(study, outcome_.sensitivity, folder);
   Provenance p;
   p.command = context_.invocation.line;
-  p.inputs = {study.source, study.gains, gains_path()};
+  p.inputs = files_of(study);
+  p.inputs.push_back(gains_path());
   p.streamed = {{evaluations.table.name(), evaluations.hash}};
-  add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
   p.workers = workers;
   p.wall_seconds = watch_.seconds();

@@ -1,5 +1,6 @@
 #include "tuner/session/simulate_session.hpp"
 
+#include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/recorder.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -104,7 +105,7 @@ void SimulateSession::write_files() {
                   gains_yaml(gains_.gains_of(scenarios.front()), {"from " + shown_path(gains_.path)}));
   Provenance p;
   p.command = context_.invocation.line;
-  p.inputs = {gains_.path};
+  p.inputs = files_of_gains(gains_.path);
   add_inputs(scenarios, p.inputs);
   p.workers = settings_.workers;
   p.wall_seconds = outcome_.seconds;

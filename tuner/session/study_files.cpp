@@ -42,10 +42,10 @@ double seconds_left(long evaluations, long max_evaluations, double seconds, doub
 }
 
 std::vector<std::string> files_of(const Study& study) {
-  std::vector<std::string> files = {study.source, study.gains};
-  if (const auto numbers = study.gains.empty() ? std::nullopt : read_parameter_file(study.gains, study.node);
-      numbers && numbers->path != study.gains)
-    files.push_back(numbers->path);
+  std::vector<std::string> files = {study.source};
+  if (!study.gains.empty()) {
+    for (std::string& file : files_of_gains(study.gains, study.node)) files.push_back(std::move(file));
+  }
   if (study.warm) files.push_back(study.warm->source);
   add_inputs(study.scenarios, files);
   return files;
