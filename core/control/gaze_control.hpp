@@ -36,8 +36,8 @@ class GazeControl {
   };
 
   /// Bounds on the joint velocities during a slerp. The slerp is made long enough for its interpolation to
-  /// keep within them. The motion with which the slerp starts is not counted here; the velocity governor
-  /// limits the sum of both.
+  /// keep within them. The velocity that the tool already has when the slerp starts is not counted here; the
+  /// velocity governor limits the sum of both.
   struct SpeedBound {
     std::function<const TaskInverse&()> inverse;  ///< of the present Jacobian; called when a slerp starts
     const JointVector& bound;                     ///< (n) [rad/s, m/s]

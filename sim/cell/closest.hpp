@@ -5,7 +5,7 @@
 //
 // The result is proven to be accurate to 1 nm. The proof is a pair of parallel planes between the bodies,
 // which are perpendicular to the line between the closest points: the distance of the planes is a lower bound
-// of the distance of the bodies. If 1 nm is not reached, this lower bound is returned.
+// of the distance of the bodies. If the iteration ends without this accuracy, the lower bound is returned.
 
 #include "sim/cell/solid.hpp"
 

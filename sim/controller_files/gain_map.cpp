@@ -44,8 +44,8 @@ const PlacedValue* next_value(const PlacedValue& from, std::string_view& path,
     if (!fits(entry.key)) continue;
     if (found != nullptr)
       fail(controller,
-           fmt::format("the keys '{}' and '{}' of the file both fit the place '{}'; such a file cannot be "
-                       "mapped",
+           fmt::format("two keys of the file, '{}' and '{}', fit the place '{}' of the map; a place must fit "
+                       "one key alone, so rename one of them in the file",
                        used, entry.key, path));
     found = entry.value.get();
     used = entry.key;

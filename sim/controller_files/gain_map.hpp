@@ -22,11 +22,11 @@ struct GainMap {
 bool is_gain_map(const std::string& text, const std::string& path);
 
 /// Reads a map. Its keys are:
-///   controller: one of joint_motion_controllers()
-///   file:       the file with the numbers; a relative path begins in the folder of the map
-///   map:        {PLACE: GAIN, ...}, see GainPlace. A list of n numbers for a gain of n joints, or one
-///   number. ros1:       true if ROS 1 reads the file; changed numbers are then written so that it can
-///   (default: false)
+///   - controller: one of joint_motion_controllers();
+///   - file: the file with the numbers; a relative path begins in the folder of the map;
+///   - map: {PLACE: GAIN, ...}, see GainPlace; a place has a list of n numbers for a gain of n joints, or one
+///     number;
+///   - ros1: true if ROS 1 reads the file; changed numbers are then written so that it can (default: false).
 /// Further keys are gains that the file does not have, with their numbers. Throws InputError "FILE:LINE:
 /// what".
 GainMap gain_map(const std::string& text, const std::string& path);

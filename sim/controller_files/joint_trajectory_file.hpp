@@ -22,8 +22,8 @@ namespace armtune::internal {
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);
 
-/// Returns the places in the file of p, i, d, the clamps and the feed-forward of each joint, with their
-/// values in `gains`.
+/// Returns, for each joint, where in the file its p, i, d, clamps and feed-forward stand, each with its value
+/// from `gains`.
 std::vector<PlacedGain> placed_trajectory_gains(const RosController& controller, const std::string& file,
                                                 const Gains& gains, const std::vector<std::string>& joints);
 

@@ -7,9 +7,9 @@
 
 namespace armtune::internal {
 
-/// Returns the largest count of numbers for n joints. Each joint has 9 + 3 for its pose in the parent body,
-/// 1 + 3 + 9 for its link's inertia, 3 for rotor inertia and friction, and a radius. The tool's pose has
-/// 9 + 3, and gravity 3.
+/// Returns how many numbers describe an arm of n joints, at most. Each joint has 9 + 3 for its pose in the
+/// parent body, 1 + 3 + 9 for its link's inertia, 3 for rotor inertia and friction, and a radius. The tool's
+/// pose has 9 + 3, and gravity 3.
 constexpr int chain_number_count(int n) {
   return 29 * n + 15;
 }

@@ -11,8 +11,9 @@
 
 namespace armtune::internal {
 
-/// Reads a path, relative to the folder of the file that names it, or {file, units: {time, length}, columns:
-/// [time, x, ...]}. Throws InputError with file, line and key.
+/// Reads a node that names a file of waypoints: the file's name alone, or a map {file, units: {time, length},
+/// columns: [time, x, ...]}. A relative name begins in the folder of the file that contains the node. Throws
+/// InputError with file, line and key.
 UserTable read_waypoints_node(const yaml::Node& node);
 
 /// Reads the positions and returns the cubic spline through them. The motion is at rest before the first and

@@ -57,9 +57,9 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--levels", settings.levels,
-          "number of upper bounds to try for each criterion except the first. The first criterion is "
-          "minimised under each bound (with three criteria: each pair of bounds), once in ascending and once "
-          "in descending order (default: 12, or 4 with three criteria)")
+          "number of upper bounds for each criterion except the first. For each bound (with three criteria: "
+          "each pair of bounds) the first criterion is minimised. The bounds are gone through twice: from the "
+          "lowest to the highest, then back (default: 12, or 4 with three criteria)")
       ->check(CLI::Range(2, 1000));
   command
       ->add_option("--max-evaluations", settings.max_evaluations,

@@ -41,10 +41,10 @@ Hopeless read_hopeless(const yaml::Node* node, Metric metric, bool upper, std::o
   const double value = node->as_number();
   const char* bound = upper ? "at_most" : "at_least";
   if (!can_be_hopeless(metric, upper)) {
-    node->fail(
-        fmt::format("{} can recover during a rollout and meet '{}' at the end, so 'hopeless' does not apply; "
-                    "leave the key out. With '{}', 'hopeless' applies to: {}",
-                    name(metric), bound, bound, fmt::join(names_of_those_that_can(upper), ", ")));
+    node->fail(fmt::format(
+        "'hopeless' cannot be used for {} with '{}', because a rollout that violates this early can "
+        "still meet it at the end; leave the key out. With '{}', 'hopeless' can be used for: {}",
+        name(metric), bound, bound, fmt::join(names_of_those_that_can(upper), ", ")));
   }
   if (limit && (upper ? value <= *limit : value >= *limit)) {
     node->fail(fmt::format("{} does not lie beyond the limit ({} {}); give a value {} this limit, or 'never'",

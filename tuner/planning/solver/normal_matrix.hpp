@@ -23,7 +23,8 @@ class NormalMatrix {
   void assemble(const Eigen::VectorXd& diagonal, const std::vector<const Eigen::VectorXd*>& weights);
 
  private:
-  /// Calls visit(columns, count) for every block that is not diagonal, in the order of `places_`.
+  /// Calls visit(columns, count) for every dense block, that is, every block that is not itself a diagonal
+  /// matrix, in the order of `places_`.
   template <typename Visit>
   void for_dense_blocks(const Visit& visit) const;
 
