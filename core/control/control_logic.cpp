@@ -59,13 +59,14 @@ bool ControlLogic::decide(const JointState& measured, const ArmView& arm, const 
   out_.damped = arm.damped;
   out_.obstacle_distance = arm.obstacle_distance;
 
-  const ControlState state =
-      next_state(out_.state, {.joint_trajectory_finished = time - lag_ >= gains_.joint_trajectory_duration,
-                              .return_finished = time - lag_ - return_start_ >= return_.duration(),
-                              .obstacle_distance = out_.obstacle_distance,
-                              .influence_radius = gains_.obstacleInfluenceRadius,
-                              .release_radius = gains_.release_radius,
-                              .plan_finished = scene.plan == nullptr || time >= scene.plan->end()});
+  const ControlState state = next_state(
+      out_.state,
+      {.joint_trajectory_finished = time - lag_ >= gains_.joint_trajectory_duration,
+       .return_finished = time - lag_ - return_start_ >= return_.duration(),
+       .obstacle_distance = out_.obstacle_distance,
+       .influence_radius = gains_.obstacleInfluenceRadius,
+       .release_radius = gains_.release_radius,
+       .plan_finished = scene.plan == nullptr || (!scene.holds_plan && time >= scene.plan->end())});
   if (state != out_.state) {
     out_.state = state;
     enter_state(measured, arm, scene, time);
@@ -126,6 +127,10 @@ void ControlLogic::follow_plan(const JointState& measured, const ArmView& arm, c
   out_.planned = scene.plan->at(time);
   // The torque is constant over the period, so it needs the mean acceleration, not that at the start.
   out_.planned.acceleration = scene.plan->mean_acceleration(time, period_);
+  if (time >= scene.plan->end()) {
+    out_.planned.velocity.setZero();
+    out_.planned.acceleration.setZero();
+  }
   joint_space_references(out_.planned, gains_.joint_space_gains_p, measured.q, measured.qd, out_.reference);
   Kd_ = gains_.joint_space_gains_d;
   // A return to the path that follows the plan starts with the tool's acceleration on the plan.

@@ -27,6 +27,8 @@ struct Scene {
   /// Planned joint motion over simulated time, which the controller follows first. If null, the controller
   /// starts in the state leaveSingularity instead. The plan is the same in every period.
   const JointSpline* plan = nullptr;
+  /// True if the joints stay at the end of the plan. Otherwise the tool's path follows it.
+  bool holds_plan = false;
   /// The path's motion at this time if it has been computed already, else null.
   const MotionPoint<Vec3>* on_path = nullptr;
   /// Desired orientation of the tool. If null, the tool points at the target instead (the gaze).

@@ -19,6 +19,7 @@ struct LaneKind {
   std::size_t most_obstacles = 0;
   bool link_surfaces = false;   ///< obstacle distances are those of links, not of joint origins
   double control_period = 0.0;  ///< [s]
+  int plant_steps = 1;          ///< steps of the simulated arm in a control period
   Stepper stepper = Stepper::kMidpoint;
   ArmLawKind law = ArmLawKind::kAdaptive;
 

@@ -21,6 +21,7 @@ class PackedArm final : public ArmLanes {
  public:
   explicit PackedArm(const LaneKind& kind)
       : period_(kind.control_period),
+        steps_(kind.plant_steps),
         stepper_(kind.stepper),
         mask_(kind.mask),
         law_(make_arm_law<T>(kind.law, kind.n)) {
@@ -157,16 +158,19 @@ class PackedArm final : public ArmLanes {
   void push(int lane, const double* torque) override { put(lane, torque, torque_); }
   void step() override {
     const PosesT<T>* poses = exact_ ? &arm_.poses : &true_poses_;
-    const FrictionStep<T> friction(T(period_), qd_);  // integrate() writes qd_ after the last evaluation
-    integrate(
-        stepper_, T(period_),
-        [&](const Joints& q, const Joints& qd, Joints& qdd) {
-          if (poses == nullptr) body_poses(plant_, q, stage_poses_);
-          forward_dynamics(plant_, poses == nullptr ? stage_poses_ : *poses, qd, torque_, friction, dynamics_,
-                           qdd);
-          poses = nullptr;  // these poses are valid only at the start of the step
-        },
-        q_, qd_, work_);
+    const double step = period_ / steps_;
+    for (int k = 0; k < steps_; ++k) {
+      const FrictionStep<T> friction(T(step), qd_);  // integrate() writes qd_ after the last evaluation
+      integrate(
+          stepper_, T(step),
+          [&](const Joints& q, const Joints& qd, Joints& qdd) {
+            if (poses == nullptr) body_poses(plant_, q, stage_poses_);
+            forward_dynamics(plant_, poses == nullptr ? stage_poses_ : *poses, qd, torque_, friction,
+                             dynamics_, qdd);
+            poses = nullptr;  // these poses are valid only at the start of the period
+          },
+          q_, qd_, work_);
+    }
   }
   void moved(int lane, double* q, double* qd) const override {
     get(lane, q_, q);
@@ -201,6 +205,7 @@ class PackedArm final : public ArmLanes {
   }
 
   double period_;
+  int steps_;  ///< of the plant in a control period
   Stepper stepper_;
   ChainT<T> chain_, plant_;
   TaskMask mask_;

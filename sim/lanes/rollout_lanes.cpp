@@ -6,6 +6,7 @@
 #include "armtune/error.hpp"
 #include "core/control/laws/arm_torque_law.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_drives.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "sim/lanes/chain_numbers.hpp"
 #include "sim/plant/flush_denormals.hpp"
@@ -46,6 +47,7 @@ LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_o
           most_obstacles,
           chain.link_radius.size() > 0,
           scenario.control_period,
+          steps_in(scenario.control_period, scenario.plant.rate),
           stepper,
           law};
 }
@@ -53,7 +55,8 @@ LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_o
 struct RolloutLanes::Lane {
   explicit Lane(LaneJob given)
       : job(std::move(given)),
-        running(*job.scenario, job.gains.slerpAngularErrorThreshold, job.limits),
+        running(*job.scenario, job.gains.slerpAngularErrorThreshold, job.limits,
+                job.scenario->scenario.plant.torque_delay_periods),
         logic(job.scenario->scenario.robot, with_goal(job.gains, job.scenario->scenario),
               job.scenario->scenario.control_period, job.scenario->scenario.mask),
         q(job.scenario->scenario.start_position),
@@ -105,9 +108,10 @@ void RolloutLanes::start(int lane, LaneJob job) {
                      ": rollouts with this controller cannot be simulated in parallel lanes");
   if (own.obstacles.size() > kind_.most_obstacles ||
       lane_kind(own, kind_.stepper, kind_.most_obstacles, *law) != kind_) {
-    throw InputError(own.name +
-                     ": the joints, task_mask, control period, obstacles or controller differ from those of "
-                     "the scenarios that are simulated together with it; simulate this scenario alone");
+    throw InputError(
+        own.name +
+        ": the joints, task_mask, control period, rate of the plant, obstacles or controller differ from those of "
+        "the scenarios that are simulated together with it; simulate this scenario alone");
   }
   auto& place = lanes_[static_cast<std::size_t>(lane)];
   if (place) throw InputError("the lane for " + own.name + " is busy");

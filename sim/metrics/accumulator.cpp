@@ -70,6 +70,7 @@ MetricAccumulator::MetricAccumulator(const RobotModel& model, double threshold, 
       upper_limits_(model.upper_limits()),
       threshold_(threshold),
       period_(period),
+      step_(period),
       min_margin_(kInfinity),
       min_clearance_(kInfinity),
       last_torque_(JointVector::Zero(model.n())),
@@ -87,7 +88,7 @@ void MetricAccumulator::add(const Observation& o) {
   first_ = false;
   if (state_ == ControlState::kLeaveSingularity) return;
 
-  if (state_ == ControlState::kFollowPlan) {
+  if (state_ == ControlState::kFollowPlan && o.time < plan_end_) {
     const JointVector& planned = o.control->planned.position;
     for (int i = 0; i < model_.n(); ++i) joint_error_.add((*o.q)[i] - planned[i]);
   }
@@ -121,28 +122,33 @@ void MetricAccumulator::add_tracking(const Observation& o) {
 }
 
 void MetricAccumulator::add_limits(const Observation& o) {
-  const JointVector& q = *o.q;
-  const JointVector& commanded = o.control->commanded;
+  o.each_instant([this](double time, const JointVector& q, const JointVector& velocity,
+                        const JointVector& commanded,
+                        const JointVector& torque) { add_instant(time, q, velocity, commanded, torque); });
+  if (o.saturated()) ++saturated_periods_;
+  min_clearance_ = std::min(min_clearance_, o.clearance);
+  if (o.cell != nullptr) least_ = o.cell->least();
+}
+
+void MetricAccumulator::add_instant(double time, const JointVector& q, const JointVector& velocity,
+                                    const JointVector& commanded, const JointVector& torque) {
   for (Eigen::Index i = 0; i < q.size(); ++i) {
-    const double ratio = std::abs((*o.qd)[i]) * per_velocity_limit_[i];
+    const double ratio = std::abs(velocity[i]) * per_velocity_limit_[i];
     if (ratio > max_ratio_) {
       max_ratio_ = ratio;
-      max_ratio_time_ = o.time;
+      max_ratio_time_ = time;
       max_ratio_joint_ = i;
     }
     min_margin_ = std::min(min_margin_, std::min(q[i] - lower_limits_[i], upper_limits_[i] - q[i]));
     max_effort_ratio_ = std::max(max_effort_ratio_, std::abs(commanded[i]) * per_effort_limit_[i]);
   }
-  if (o.control->saturated) ++saturated_periods_;
-  min_clearance_ = std::min(min_clearance_, o.clearance);
-  if (o.cell != nullptr) least_ = o.cell->least();
-  if (!first_) effort_rate_.add((o.control->torque - last_torque_).norm() / period_);
-  last_torque_ = o.control->torque;
-  add_acceleration(*o.qd);
+  if (instants_ > 0) effort_rate_.add((torque - last_torque_).norm() / step_);
+  last_torque_ = torque;
+  add_acceleration(velocity);
 }
 
 void MetricAccumulator::add_acceleration(const JointVector& velocity) {
-  const double rate = 1.0 / period_;
+  const double rate = 1.0 / step_;
   double most = 0.0;
   double most_ratio = 0.0;
   double most_jerk = 0.0;
@@ -154,13 +160,13 @@ void MetricAccumulator::add_acceleration(const JointVector& velocity) {
     last_acceleration_[i] = acceleration;
     last_velocity_[i] = velocity[i];
   }
-  // The second period gives the first acceleration, and the third one the first jerk.
-  if (periods_ > 0) {
+  // The second instant gives the first acceleration, and the third one the first jerk.
+  if (instants_ > 0) {
     max_acceleration_ = std::max(max_acceleration_, most);
     max_acceleration_ratio_ = std::max(max_acceleration_ratio_, most_ratio);
   }
-  if (periods_ > 1) max_jerk_ = std::max(max_jerk_, most_jerk);
-  ++periods_;
+  if (instants_ > 1) max_jerk_ = std::max(max_jerk_, most_jerk);
+  ++instants_;
 }
 
 double MetricAccumulator::so_far(Metric m) const {
@@ -201,11 +207,11 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kJointEffortSaturatedPeriods:
       return first_ ? NAN : static_cast<double>(saturated_periods_);
     case Metric::kJointAccelerationMax:
-      return periods_ > 1 ? max_acceleration_ : NAN;
+      return instants_ > 1 ? max_acceleration_ : NAN;
     case Metric::kJointAccelerationMaxRatio:
-      return periods_ > 1 && (per_acceleration_limit_.array() > 0.0).any() ? max_acceleration_ratio_ : NAN;
+      return instants_ > 1 && (per_acceleration_limit_.array() > 0.0).any() ? max_acceleration_ratio_ : NAN;
     case Metric::kJointJerkMax:
-      return periods_ > 2 ? max_jerk_ : NAN;
+      return instants_ > 2 ? max_jerk_ : NAN;
     case Metric::kJointErrorMax:
       return joint_error_.max();
     case Metric::kObstacleMinClearance:

@@ -63,6 +63,12 @@ class MetricAccumulator {
     from_before_ = true;
   }
 
+  /// Sets the time between two instants of an observation [s] (Observation::each_instant), if it is not the
+  /// control period.
+  void sample_every(double step) { step_ = step; }
+  /// Sets the end of the planned trajectory [s]. Joint errors count before it.
+  void end_plan(double time) { plan_end_ = time; }
+
   /// Leaves out the metrics of the gaze. Call it for tasks in which the tool does not aim at a target.
   void aim_at_nothing() { aims_ = false; }
 
@@ -77,6 +83,8 @@ class MetricAccumulator {
   void add_gaze(const Observation& o, bool switched);
   void add_tracking(const Observation& o);
   void add_limits(const Observation& o);
+  void add_instant(double time, const JointVector& q, const JointVector& velocity,
+                   const JointVector& commanded, const JointVector& torque);
   void add_acceleration(const JointVector& velocity);
 
   const RobotModel& model_;
@@ -87,11 +95,13 @@ class MetricAccumulator {
   JointVector upper_limits_;
   double threshold_;
   double period_;
+  double step_;  ///< time between two instants [s]
 
   ControlState state_ = ControlState::kLeaveSingularity;
   double entered_ = 0.0;
   bool first_ = true;
-  long periods_ = 0;
+  long instants_ = 0;
+  double plan_end_ = INFINITY;
   bool aims_ = true;          ///< the tool aims at a target
   bool from_before_ = false;  ///< target_ is known before the first period
   std::size_t target_ = 0;

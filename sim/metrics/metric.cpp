@@ -5,8 +5,8 @@
 namespace armtune::internal {
 
 // All metrics are computed from the plant's true state. Tracking errors count in the state followTrajectory,
-// from 1 s after its start and outside of slerps. Joint errors count in followPlan. Gaze and compensation
-// errors count in all states except leaveSingularity. Limits always count.
+// from 1 s after its start and outside of slerps. Joint errors count in followPlan, until the plan ends. Gaze
+// and compensation errors count in all states except leaveSingularity. Limits always count.
 const std::array<MetricField, kMetricCount>& metric_fields() {
   using enum Better;
   using enum Course;
@@ -85,6 +85,13 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"joint_error/max", "rad", kLess, kOnlyWorsens, "largest joint error",
        "largest difference between actual and planned position of a joint, while a planned trajectory is "
        "followed; empty without one"},
+      {"goal/settling_time", "s", kLess, kEitherWay, "time to settle at the goal",
+       "time from the end of a planned trajectory until all joints stay within the scenario's goal_tolerance "
+       "of its last position; if they never do, the time until the end; empty unless the arm stays at the end "
+       "of a planned trajectory"},
+      {"goal/overshoot", "rad", kLess, kEitherWay, "overshoot at the goal",
+       "largest distance by which a joint passes the last position of a planned trajectory after its end, in "
+       "the direction in which the joint came; empty unless the arm stays at the end of a planned trajectory"},
       {"effort_rate/rms", "N m/s", kLess, kEitherWay, "RMS torque rate",
        "RMS over time of the rate of change of the joint torques after saturation (norm over the joints)"},
       {"obstacle/min_clearance", "m", kMore, kOnlyWorsens, "smallest obstacle clearance",

@@ -44,6 +44,8 @@ enum class Metric : std::size_t {
   kJointJerkMax,
   kJointErrorRms,
   kJointErrorMax,
+  kGoalSettlingTime,
+  kGoalOvershoot,
   kEffortRateRms,
   kObstacleMinClearance,
   kClearanceSelf,

@@ -2,10 +2,22 @@
 // The data of one control period of a rollout (one simulated scenario): the plant's true state, the
 // controller's output and the resulting errors. Metrics and recordings are computed from these data.
 
+#include <algorithm>
+#include <span>
+
 #include "core/control/laws/controller.hpp"
 #include "sim/cell/clearance_watch.hpp"
 
 namespace armtune::internal {
+
+/// The joints at a period of the robot's drives between two control periods.
+struct DriveInstant {
+  double time = 0.0;      ///< [s]
+  JointVector q, qd;      ///< true [rad, m; /s]
+  JointVector commanded;  ///< torque before saturation [N m, N]
+  JointVector torque;     ///< torque within the effort limits, which acts at once
+  bool saturated() const { return !(torque.array() == commanded.array()).all(); }
+};
 
 struct Observation {
   double time = 0.0;                ///< [s]
@@ -14,6 +26,9 @@ struct Observation {
   const ControlOutput* control = nullptr;
   const JointVector* applied = nullptr;  ///< torque that acts now (delayed) [N m, N]
   const ParameterVector* theta = nullptr;
+  /// Of controllers that command velocities or positions: the periods of the drives since the control period
+  /// before, without those at control periods.
+  std::span<const DriveInstant> between;
 
   // From the true state, base frame.
   const Poses* poses = nullptr;                   ///< of all bodies; in sim/lanes only of the tool
@@ -31,6 +46,19 @@ struct Observation {
   /// true motion and the references. theta_hat: the controller's parameters after the adaptation step of this
   /// period. theta: parameters of the simulated arm, including payload and friction.
   double compensation_error = 0.0;
+
+  /// Calls visit(time, q, qd, commanded, torque) for each entry of `between`, and then for this control
+  /// period. commanded, torque: before and after saturation.
+  template <typename Visit>
+  void each_instant(const Visit& visit) const {
+    for (const DriveInstant& at : between) visit(at.time, at.q, at.qd, at.commanded, at.torque);
+    visit(time, *q, *qd, control->commanded, control->torque);
+  }
+  /// True if a torque was saturated in this control period or in `between`.
+  bool saturated() const {
+    return control->saturated ||
+           std::any_of(between.begin(), between.end(), [](const DriveInstant& at) { return at.saturated(); });
+  }
 
   ToolAim aim() const { return {target_motion, orientation, mask == TaskMask::kPositionAndAxis}; }
 };

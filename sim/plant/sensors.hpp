@@ -1,6 +1,6 @@
 #pragma once
-// Simulates the joint sensors. They add white Gaussian noise to joint positions and velocities, drawn in each
-// control period from a seeded generator.
+// Simulates the joint sensors. They add white Gaussian noise to joint positions and velocities. It is drawn
+// from a seeded generator, in each control period, and in each period of the robot's drives if it has any.
 
 #include <cstdint>
 #include <random>

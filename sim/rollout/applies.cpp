@@ -44,6 +44,9 @@ bool applies(Metric metric, const Scenario& scenario) {
     case Metric::kJointErrorRms:
     case Metric::kJointErrorMax:
       return scenario.planned != nullptr;
+    case Metric::kGoalSettlingTime:
+    case Metric::kGoalOvershoot:
+      return scenario.holds_goal();
     case Metric::kPositionXMax:
     case Metric::kPositionYMax:
     case Metric::kPositionZMax:

@@ -37,16 +37,25 @@ void add_joint(std::vector<Column>& columns, const JointInfo& joint, int i, bool
                      [i](const Observation& o) { return (*o.q)[i]; }});
   columns.push_back({tree + "velocity", revolute ? "rad/s" : "m/s", "true joint velocity",
                      [i](const Observation& o) { return (*o.qd)[i]; }});
-  columns.push_back(
-      {tree + "velocity_ratio", "1", "largest ratio of |velocity| to its limit since the previous row",
-       [i, velocity_limit](const Observation& o) { return std::abs((*o.qd)[i]) / velocity_limit; },
-       Over::kLargest});
-  columns.push_back({tree + "torque", revolute ? "N m" : "N", "commanded torque after saturation",
+  columns.push_back({tree + "velocity_ratio", "1",
+                     "largest ratio of |velocity| to its limit since the previous row",
+                     [i, velocity_limit](const Observation& o) {
+                       double most = std::abs((*o.qd)[i]);
+                       for (const DriveInstant& at : o.between) most = std::max(most, std::abs(at.qd[i]));
+                       return most / velocity_limit;
+                     },
+                     Over::kLargest});
+  columns.push_back({tree + "torque", revolute ? "N m" : "N",
+                     "commanded torque after saturation, at the start of the control period",
                      [i](const Observation& o) { return o.control->torque[i]; }});
   columns.push_back(
       {tree + "torque_ratio", "1",
        "largest ratio of the commanded |torque| to its limit since the previous row, before saturation",
-       [i, effort_limit](const Observation& o) { return std::abs(o.control->commanded[i]) / effort_limit; },
+       [i, effort_limit](const Observation& o) {
+         double most = std::abs(o.control->commanded[i]);
+         for (const DriveInstant& at : o.between) most = std::max(most, std::abs(at.commanded[i]));
+         return most / effort_limit;
+       },
        Over::kLargest});
 }
 

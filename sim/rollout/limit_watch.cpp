@@ -45,26 +45,28 @@ void LimitWatch::note(JointLimit limit, Eigen::Index joint, double time, double 
 }
 
 void LimitWatch::look(const Observation& o) {
-  const JointVector& q = *o.q;
-  const JointVector& qd = *o.qd;
-  const JointVector& effort = o.control->commanded;
-  const double rate = first_ ? 0.0 : 1.0 / (o.time - last_time_);
+  o.each_instant([this](double time, const JointVector& q, const JointVector& qd, const JointVector& effort,
+                        const JointVector&) { look(time, q, qd, effort); });
+}
+
+void LimitWatch::look(double time, const JointVector& q, const JointVector& qd, const JointVector& effort) {
+  const double rate = first_ ? 0.0 : 1.0 / (time - last_time_);
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     if (std::abs(qd[i]) > velocity_[i]) {
-      note(JointLimit::kVelocity, i, o.time, qd[i], std::copysign(velocity_[i], qd[i]));
+      note(JointLimit::kVelocity, i, time, qd[i], std::copysign(velocity_[i], qd[i]));
     }
-    if (q[i] > upper_[i]) note(JointLimit::kPosition, i, o.time, q[i], upper_[i]);
-    if (q[i] < lower_[i]) note(JointLimit::kPosition, i, o.time, q[i], lower_[i]);
+    if (q[i] > upper_[i]) note(JointLimit::kPosition, i, time, q[i], upper_[i]);
+    if (q[i] < lower_[i]) note(JointLimit::kPosition, i, time, q[i], lower_[i]);
     if (std::abs(effort[i]) > effort_[i]) {
-      note(JointLimit::kEffort, i, o.time, effort[i], std::copysign(effort_[i], effort[i]));
+      note(JointLimit::kEffort, i, time, effort[i], std::copysign(effort_[i], effort[i]));
     }
     const double acceleration = (qd[i] - last_velocity_[i]) * rate;
     if (std::abs(acceleration) > acceleration_[i]) {
-      note(JointLimit::kAcceleration, i, o.time, acceleration, std::copysign(acceleration_[i], acceleration));
+      note(JointLimit::kAcceleration, i, time, acceleration, std::copysign(acceleration_[i], acceleration));
     }
     last_velocity_[i] = qd[i];
   }
-  last_time_ = o.time;
+  last_time_ = time;
   first_ = false;
 }
 

@@ -60,6 +60,8 @@ class LimitWatch {
   std::vector<BrokenLimit> broken() const;
 
  private:
+  void look(double time, const JointVector& q, const JointVector& qd, const JointVector& effort);
+
   struct Found {
     int joint = -1;
     double time = 0.0;

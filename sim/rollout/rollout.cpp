@@ -1,5 +1,7 @@
 #include "sim/rollout/rollout.hpp"
 
+#include <cmath>
+
 #include "sim/plant/flush_denormals.hpp"
 #include "sim/rollout/running_rollout.hpp"
 #include "sim/rollout/true_state.hpp"
@@ -15,9 +17,17 @@ Rollout::Rollout(std::shared_ptr<const PreparedScenario> prepared, Stepper stepp
 RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const EndLimits& limits) {
   const FlushDenormals flush;
   const Scenario& scenario = prepared_->scenario;
-  RunningRollout running(*prepared_, gains.slerpAngularErrorThreshold, limits);
+  const PlantConditions& conditions = scenario.plant;
   Controller controller(scenario.robot, with_goal(gains, scenario), prepared_->theta_start,
-                        scenario.control_period, scenario.mask);
+                        scenario.control_period, scenario.mask,
+                        {drive_frequency(conditions.rate), conditions.torque_delay_periods});
+  // Commands for drives are late on their way to the drives, which then act at once.
+  RunningRollout running(*prepared_, gains.slerpAngularErrorThreshold, limits,
+                         controller.has_drives() ? 0 : conditions.torque_delay_periods,
+                         controller.drive_steps());
+  const int steps =
+      controller.has_drives() ? controller.drive_steps() : steps_in(scenario.control_period, conditions.rate);
+  const double step = scenario.control_period / steps;
   TrueState truth(*scenario.robot, prepared_->theta_true);
   plant_->set_state(scenario.start_position, running.start_velocity());
   World world;
@@ -30,7 +40,16 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
     if (!running.judge(observer)) break;
     std::string failure;
     try {
-      plant_->step(*o.applied, scenario.control_period, o.poses);
+      plant_->step(*o.applied, step, o.poses);
+      for (int k = 1; k < steps && std::isfinite(plant_->qd().sum()); ++k) {
+        if (!controller.has_drives()) {
+          plant_->step(*o.applied, step);
+          continue;
+        }
+        DriveInstant& at = running.begin_drive_period(k * step, plant_->q(), plant_->qd());
+        controller.drive(running.measured_by_drives(), at.commanded, at.torque);
+        plant_->step(at.torque, step);
+      }
     } catch (const std::exception& e) {
       failure = e.what();
     }

@@ -21,24 +21,29 @@ const EndLimit* reached(const EndLimits& limits, const MetricAccumulator& metric
 
 }  // namespace
 
-RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits)
+RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits,
+                               int torque_delay, int drive_steps)
     : prepared_(prepared),
       scenario_(prepared.scenario),
       limits_(limits),
       periods_(scenario_.periods()),
       sensors_(scenario_.plant.position_noise, scenario_.plant.velocity_noise, scenario_.seed),
       camera_(scenario_),
-      delay_(scenario_.robot->n(), scenario_.plant.torque_delay_periods),
+      delay_(scenario_.robot->n(), torque_delay),
       metrics_(*scenario_.robot, threshold, scenario_.control_period),
       diverged_velocity_(kDivergedRatio * scenario_.robot->velocity_limits()),
       path_(scenario_.path),
-      scene_{&path_, {}, {}, scenario_.planned.get()} {
+      scene_{&path_, {}, {}, scenario_.planned.get(), scenario_.holds_end} {
+  between_.reserve(static_cast<std::size_t>(drive_steps));
+  metrics_.sample_every(scenario_.control_period / drive_steps);
   if (scenario_.planned) {
+    metrics_.end_plan(scenario_.planned->end());
     metrics_.look_from(
         scenario_.active_target(std::max(0.0, scenario_.start_time - scenario_.control_period)));
   }
   if (scenario_.holds_end) metrics_.aim_at_nothing();
   if (scenario_.stimulus) response_.emplace(scenario_);
+  if (scenario_.holds_goal()) goal_.emplace(*scenario_.planned, scenario_.goal_tolerance);
   if (scenario_.clearance) {
     cell_.emplace(scenario_.clearance);
     observation_.cell = &*cell_;
@@ -73,10 +78,16 @@ void RunningRollout::sense(const JointVector& q, const JointVector& qd, const Wo
   scene_.obstacles = world.obstacles;
 }
 
+DriveInstant& RunningRollout::begin_drive_period(double after, const JointVector& q, const JointVector& qd) {
+  sensors_.measure(q, qd, between_measured_);
+  return between_.emplace_back(DriveInstant{observation_.time + after, q, qd, {}, {}});
+}
+
 Observation& RunningRollout::act(const ControlOutput& control, const ParameterVector& theta,
                                  const JointVector* Kd) {
   Kd_ = Kd;
   observation_.control = &control;
+  observation_.between = between_;
   observation_.theta = &theta;
   observation_.applied = &delay_.pass(control.torque);
   return observation_;
@@ -87,6 +98,7 @@ bool RunningRollout::judge(const Observer& observer) {
   const Observation& o = observation_;
   metrics_.add(o);
   if (response_) response_->add(o);
+  if (goal_) goal_->add(o.time, *o.q);
   if (observer && !observer(o)) {
     end(RolloutStatus::kInterrupted, fmt::format("interrupted at {:.3f} s", o.time));
   } else if (const EndLimit* limit = reached(limits_, metrics_)) {
@@ -96,6 +108,8 @@ bool RunningRollout::judge(const Observer& observer) {
                     name(limit->metric), metrics_.so_far(limit->metric), o.time, name(o.control->state),
                     limit->value));
   }
+  between_.clear();
+  observation_.between = {};
   return !ended_;
 }
 
@@ -118,6 +132,7 @@ RolloutResult RunningRollout::result() {
   result_.end_time = k_ * scenario_.control_period;
   result_.metrics = metrics_.result(scenario_.start_time + result_.end_time);
   if (response_) response_->write(result_.metrics);
+  if (goal_) goal_->write(scenario_.start_time + result_.end_time, result_.metrics);
   if (result_.status == RolloutStatus::kCompleted && !scenario_.planned &&
       !(result_.metrics[Metric::kSamples] > 0.0)) {
     result_.status = RolloutStatus::kNoSamples;

@@ -9,12 +9,14 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/common/delay_line.hpp"
 #include "sim/metrics/accumulator.hpp"
+#include "sim/metrics/goal_watch.hpp"
 #include "sim/metrics/stimulus_response.hpp"
 #include "sim/plant/sensors.hpp"
 #include "sim/plant/target_camera.hpp"
-#include "sim/plant/torque_delay.hpp"
 #include "sim/rollout/end_limit.hpp"
 #include "sim/rollout/prepared_scenario.hpp"
 #include "sim/rollout/rollout_result.hpp"
@@ -24,8 +26,11 @@ namespace armtune::internal {
 
 class RunningRollout {
  public:
-  /// threshold: the gains' slerpAngularErrorThreshold [rad]. All arguments must outlive this object.
-  RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits);
+  /// threshold: the gains' slerpAngularErrorThreshold [rad]. torque_delay: control periods by which the
+  /// torques act late. drive_steps: periods of the robot's drives in a control period; 1 if it has none. All
+  /// references must outlive this object.
+  RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits,
+                 int torque_delay, int drive_steps = 1);
   RunningRollout(const RunningRollout&) = delete;  // its parts refer to each other
   RunningRollout& operator=(const RunningRollout&) = delete;
 
@@ -55,6 +60,10 @@ class RunningRollout {
   /// Updates the metrics with the complete observation, calls the observer and checks the end limits. Returns
   /// false if the rollout ends here, before the plant moves.
   bool judge(const Observer& observer);
+  /// Begins a period of the robot's drives, `after` the control period's beginning [s], with the plant at q,
+  /// q' (n). Returns the instant, whose torques the caller computes from measured_by_drives().
+  DriveInstant& begin_drive_period(double after, const JointVector& q, const JointVector& qd);
+  const JointState& measured_by_drives() const { return between_measured_; }
   /// Ends the period with the plant at q, q' (n), and checks whether the rollout has diverged. failure: why
   /// the engine failed; empty if it did not.
   void moved(const JointVector& q, const JointVector& qd, const std::string& failure);
@@ -71,12 +80,15 @@ class RunningRollout {
   int periods_;
   Sensors sensors_;
   TargetCamera camera_;
-  TorqueDelay delay_;
+  DelayLine delay_;
   MetricAccumulator metrics_;
   JointVector diverged_velocity_;  ///< joint speeds above which the rollout has diverged
   std::optional<StimulusResponse> response_;
+  std::optional<GoalWatch> goal_;
   std::optional<ClearanceWatch> cell_;
   JointState measured_;
+  std::vector<DriveInstant> between_;  ///< since the last call of judge()
+  JointState between_measured_;
   Path path_;
   Scene scene_;
   Observation observation_;

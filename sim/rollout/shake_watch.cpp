@@ -32,10 +32,15 @@ void ShakeWatch::turn(Turning& joint) {
 }
 
 void ShakeWatch::look(const Observation& o) {
+  o.each_instant([this](double time, const JointVector&, const JointVector&, const JointVector& commanded,
+                        const JointVector&) { look(time, commanded); });
+}
+
+void ShakeWatch::look(double time, const JointVector& commanded) {
   for (std::size_t i = 0; i < turning_.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     Turning& joint = turning_[i];
-    const double share = std::clamp(o.control->commanded[k] / effort_[k], -1.0, 1.0);
+    const double share = std::clamp(commanded[k] / effort_[k], -1.0, 1.0);
     if (std::isnan(share)) continue;
     if (joint.direction == 0) {
       // While the direction is not known: the lowest and the highest torque so far.
@@ -50,7 +55,7 @@ void ShakeWatch::look(const Observation& o) {
       joint.direction = -joint.direction;
     }
     joint.extreme = share;
-    joint.at = o.time;
+    joint.at = time;
   }
   looked_ = true;
 }

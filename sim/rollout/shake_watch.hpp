@@ -53,6 +53,7 @@ class ShakeWatch {
     Run first;             ///< the first run that is long enough to count; turns = 0: none yet
   };
   static void turn(Turning& joint);
+  void look(double time, const JointVector& commanded);
 
   std::vector<std::string> joints_;
   JointVector effort_;

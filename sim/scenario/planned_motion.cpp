@@ -20,6 +20,8 @@ namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMostRows = 200'000;  // 100 s at 2 kHz; each row takes about 1 kB
+constexpr double kSlowest = 0.01;           // factors on the speed
+constexpr double kFastest = 10.0;
 
 std::string name_of(const JointInfo& joint, const char* what) {
   return "joint/" + joint.name + "/" + what;
@@ -123,14 +125,25 @@ void make_smooth(MotionPoints& motion) {
   motion.points = cubic_spline(motion.time, positions);
 }
 
+/// Changes the speed of the motion by a factor. The time of its first point stays.
+void change_speed(double factor, MotionPoints& motion) {
+  if (factor == 1.0) return;
+  const double begin = motion.time.front();
+  for (double& time : motion.time) time = begin + (time - begin) / factor;
+  for (MotionPoint<JointVector>& point : motion.points) {
+    point.velocity *= factor;
+    point.acceleration *= factor * factor;
+  }
+}
+
 JointSpline motion_of(const PlannedFile& file, MotionPoints motion, const RobotModel& robot) {
   const bool message = is_trajectory_message(file.table.path);
   const MotionChecks checks(robot, motion, hint_for_degrees(message));
   checks.at_points();
   if (file.as_ros || message || motion.given == PointsGive::kVelocities) {
-    JointSpline joined(motion.time, motion.points, motion.given);
-    checks.between_points(joined);
-    return joined;
+    checks.between_points(JointSpline(motion.time, motion.points, motion.given));
+    change_speed(file.speed, motion);
+    return {std::move(motion.time), std::move(motion.points), motion.given};
   }
   if (motion.given == PointsGive::kPositions) {
     make_smooth(motion);
@@ -138,6 +151,7 @@ JointSpline motion_of(const PlannedFile& file, MotionPoints motion, const RobotM
   } else {
     checks.steps();
   }
+  change_speed(file.speed, motion);
   return {std::move(motion.time), std::move(motion.points)};
 }
 
@@ -182,6 +196,7 @@ PlannedFile read_planned_node(const yaml::Node& node) {
       segments->fail(fmt::format("'{}' is not valid; give as_ros, or leave the key out for a smooth motion",
                                  segments->as_string()));
   }
+  file.speed = map.number_in("speed", 1.0, kSlowest, kFastest);
   map.finish();
   return file;
 }

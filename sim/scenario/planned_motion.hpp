@@ -16,10 +16,12 @@ namespace armtune::internal {
 struct PlannedFile {
   UserTable table;
   bool as_ros = false;  ///< true: interpolated as in the controllers of ROS (ros_segments.hpp)
+  double speed = 1.0;   ///< factor on the speed of the motion: 0.5 doubles all times
 };
 
-/// Reads a path, relative to the folder of the file that names it, or {file, units: {time, angle, length},
-/// columns: [time, JOINT, ...], segments: as_ros}. Throws InputError with file, line and key.
+/// Reads a node that names the file of a planned motion: the file's name alone, or a map {file, units: {time,
+/// angle, length}, columns: [time, JOINT, ...], segments: as_ros, speed}. A relative name begins in the
+/// folder of the file that contains the node. Throws InputError with file, line and key.
 PlannedFile read_planned_node(const yaml::Node& node);
 
 /// Reads a planned motion from a CSV file or a trajectory message.

@@ -11,6 +11,7 @@
 namespace armtune::internal {
 namespace {
 
+constexpr double kFastest = 1e5;  // Hz
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vec3 read_vec3(const yaml::Node& node) {
@@ -39,6 +40,7 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
         .fail(fmt::format("the delay is {} periods; it must lie in 0 .. 1000", delay));
   }
   plant.torque_delay_periods = static_cast<int>(delay);
+  plant.rate = map.number_in("rate", 0.0, 0.0, kFastest);
   if (const yaml::Node* payload_node = map.optional("payload")) {
     plant.payload = read_payload(*payload_node);
   }

@@ -36,6 +36,11 @@ void apply_factors(const PlantConditions& plant, Chain& chain) {
   }
 }
 
+/// True if the scenario has a control period at or after the end of its planned motion.
+bool outlasts_plan(const Scenario& scenario) {
+  return scenario.start_time + (scenario.periods() - 1) * scenario.control_period >= scenario.planned->end();
+}
+
 }  // namespace
 
 Gains with_goal(Gains gains, const Scenario& scenario) {
@@ -60,7 +65,11 @@ int Scenario::periods() const {
 }
 
 bool Scenario::has_task() const {
-  return !planned || start_time + (periods() - 1) * control_period >= planned->end();
+  return !planned || (!holds_end && outlasts_plan(*this));
+}
+
+bool Scenario::holds_goal() const {
+  return holds_end && outlasts_plan(*this);
 }
 
 bool Scenario::switches_target() const {

@@ -45,10 +45,15 @@ struct ThetaStart {
 /// The differences between the plant (the simulated arm) and the controller's model of it, sensor noise, and
 /// torque delay.
 struct PlantConditions {
-  double position_noise = 0.0;   ///< standard deviation of the white noise in each period [rad, m]
-  double velocity_noise = 0.0;   ///< likewise [rad/s, m/s]
-  int torque_delay_periods = 0;  ///< whole control periods
-  Payload payload;               ///< at the tool, unknown to the controller
+  double position_noise = 0.0;  ///< standard deviation of the white noise in each period [rad, m]
+  double velocity_noise = 0.0;  ///< likewise [rad/s, m/s]
+  /// Whole control periods by which torques act late. With controllers that command velocities or positions,
+  /// their commands reach the robot's drives late, and the torques of the drives act at once.
+  int torque_delay_periods = 0;
+  /// Lowest rate at which the arm and the robot's drives are computed [Hz]. 0: drives run at kDriveFrequency
+  /// (joint_drives.hpp), and without drives the arm moves in one step per control period.
+  double rate = 0.0;
+  Payload payload;  ///< at the tool, unknown to the controller
   /// Added to the friction of the model, unknown to the controller [N m s/rad, N s/m]; n or empty.
   JointVector viscous_friction;
   JointVector coulomb_friction;  ///< likewise [N m, N]
@@ -78,15 +83,19 @@ struct Scenario {
   double duration = 0.0;        ///< from start_time on [s]
   double control_period = 0.0;  ///< [s]
   JointVector start_position;   ///< [rad, m]
-  /// Joint positions on the task, used if the gains have no joint_space_goal. Empty: the gains must have one.
+  /// Joint positions with which the tool is on its task, used if the gains have no joint_space_goal. Empty:
+  /// the gains must have one.
   JointVector goal_position;
   JointVector start_velocity;  ///< velocity of the planned motion at start_time; empty: at rest
   /// Motion that the arm follows first. Null: the controller's first state is leaveSingularity.
   std::shared_ptr<const JointSpline> planned;
   Path path;                        ///< of the tool, base frame
   TaskMask mask = TaskMask::kPose;  ///< the part of path and gaze that the arm tracks
-  /// True if the task is only to stay where the planned motion ended. The tool then aims at nothing.
+  /// True if there is nothing but a planned motion. The joints then stay at its last position, and the tool
+  /// aims at nothing.
   bool holds_end = false;
+  /// Distance from the last position of the planned motion within which joints count as settled [rad, m].
+  double goal_tolerance = 0.005;
   std::vector<NamedPath> targets;  ///< of the gaze; empty: `orientation` gives the tool's orientation
   std::optional<ToolOrientation> orientation;
   double switch_every = 0.0;  ///< time between target switches [s]; 0: only those of `schedule`
@@ -104,9 +113,11 @@ struct Scenario {
   bool pushed = false;     ///< true: the scenario tests one stability margin and is judged by that alone
 
   int periods() const;
-  /// Returns true if the arm begins the task before the scenario ends. It is false if a planned motion, which
-  /// comes first, lasts to the end.
+  /// Returns true if the arm begins a task of its tool before the scenario ends. It is false if a planned
+  /// motion, which comes first, lasts to the end, or if there is nothing but a planned motion.
   bool has_task() const;
+  /// Returns true if the joints stay at the end of a planned motion for at least one control period.
+  bool holds_goal() const;
   /// Returns true if the active target changes during the scenario, including its first period.
   bool switches_target() const;
   /// Returns the index of the target that is active at t [s].

@@ -31,7 +31,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxBaseFiles = 16;
 constexpr double kMaxPeriods = 1e8;
-constexpr double kRounding = 1e-6;  // of a period: a smaller excess over whole periods adds no period
+constexpr double kLongestHold = 3600.0;   // s
+constexpr double kLeastTolerance = 1e-6;  // rad, m
+constexpr double kRounding = 1e-6;        // of a period: a smaller excess over whole periods adds no period
 
 /// Reads the task mask. If node is null, returns the largest mask that the number of joints allows.
 TaskMask read_mask(const yaml::Node* node, int joints) {
@@ -183,16 +185,17 @@ void read_task(yaml::MapReader& map, Scenario& scenario) {
         "rpy_deg, or a task_mask of pose");
 }
 
-/// Reads the duration [s]: a number, or `planned` for the length of the planned motion, rounded up to whole
-/// periods. node: null if the key is absent, which means `planned`.
-double read_duration(const yaml::Node* node, const Scenario& scenario) {
+/// Reads the duration [s]: a number, or `planned` for the length of the planned motion and `hold_end` [s],
+/// rounded up to whole periods. node: null if the key is absent, which means `planned`.
+double read_duration(const yaml::Node* node, double hold, const Scenario& scenario) {
   const bool as_planned = node == nullptr || node->is_word("planned");
   if (as_planned && !scenario.planned)
     node->fail("there is no planned trajectory; give the duration in seconds");
   const double period = scenario.control_period;
   const double duration =
       as_planned
-          ? std::ceil((scenario.planned->end() - scenario.planned->begin()) / period - kRounding) * period
+          ? std::ceil((scenario.planned->end() - scenario.planned->begin() + hold) / period - kRounding) *
+                period
           : node->as_number();
   if (duration >= period && duration <= kMaxPeriods * period) return duration;
   const std::string message = fmt::format("{} s; it must lie between one and {:.0e} control periods of {} s",
@@ -200,6 +203,20 @@ double read_duration(const yaml::Node* node, const Scenario& scenario) {
   if (node == nullptr)
     throw InputError(InputPlace{scenario.source}, "the planned trajectory takes " + message);
   node->fail(message);
+}
+
+/// Reads the time for which the arm stays at the end of the planned motion [s].
+double read_hold(yaml::MapReader& map, const yaml::Node* duration) {
+  const double time = map.number_in("hold_end", 0.0, 0.0, kLongestHold);
+  if (time == 0.0) return time;
+  const yaml::Node* hold = map.optional("hold_end");
+  if (duration != nullptr && !duration->is_word("planned"))
+    hold->fail("it has no effect with a duration in seconds; give 'duration: planned'");
+  if (map.has("path") || map.has("orientation") || map.has("targets"))
+    hold->fail(
+        "the arm does not stay at the end of the planned motion, because the scenario has a task of its tool; "
+        "give the duration in seconds");
+  return time;
 }
 
 /// Reads the scenario's cell and adds the scenario's obstacles to it. node: null if the scenario has no cell
@@ -254,9 +271,11 @@ Scenario load_scenario(const std::string& name_or_path) {
   }
   if (const yaml::Node* planned = map.optional("planned")) {
     read_planned(*planned, scenario);
-    scenario.duration = read_duration(map.optional("duration"), scenario);
+    const yaml::Node* duration = map.optional("duration");
+    scenario.duration = read_duration(duration, read_hold(map, duration), scenario);
+    scenario.goal_tolerance = map.number_in("goal_tolerance", scenario.goal_tolerance, kLeastTolerance, 1.0);
   } else {
-    scenario.duration = read_duration(&map.required("duration"), scenario);
+    scenario.duration = read_duration(&map.required("duration"), 0.0, scenario);
   }
   scenario.mask = read_mask(map.optional("task_mask"), scenario.robot->n());
   read_task(map, scenario);

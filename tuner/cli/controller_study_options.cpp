@@ -18,7 +18,7 @@
 
 // armtune built without CHOLMOD has no planner, so it cannot plan motions through positions without times.
 #ifdef ARMTUNE_SUITESPARSE
-#define ARMTUNE_WITHOUT_TIMES ". If the positions have no times, armtune plans a motion through them"
+#define ARMTUNE_WITHOUT_TIMES ". Without times, armtune plans a motion through the positions"
 #else
 #define ARMTUNE_WITHOUT_TIMES ""
 #endif
@@ -32,13 +32,13 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
   CLI::Option* controllers = command.add_option(
       "--controllers", inputs.controllers,
       "your unchanged ROS parameter file. It has the controller to tune: a joint_trajectory_controller, or "
-      "the joint impedance controller of a Franka. For any other file, a map of gains (docs/file_formats.md)");
+      "the joint impedance controller of a Franka. For a file of any other form, give a map of gains here "
+      "(docs/file_formats.md)");
   CLI::Option* trajectory =
       command
-          .add_option(
-              "--trajectory", inputs.trajectories,
-              "one or more motions for which the gains are tuned: CSV with times and joint positions, "
-              "or a trajectory_msgs/JointTrajectory as YAML" ARMTUNE_WITHOUT_TIMES)
+          .add_option("--trajectory", inputs.trajectories,
+                      "one or more motions for which the gains are tuned: CSV files of joint positions, "
+                      "or a trajectory_msgs/JointTrajectory as YAML" ARMTUNE_WITHOUT_TIMES)
           ->expected(1, -1);
   CLI::Option* node = command.add_option(
       "--node", inputs.node, "name of the controller to tune, if the file of --controllers has several");
@@ -50,6 +50,12 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
           ->check(CLI::Range(10.0, 10000.0));
   CLI::Option* degrees = command.add_flag(
       "--degrees", inputs.degrees, "read the angles in CSV files of --trajectory in degrees (default: rad)");
+  CLI::Option* speed =
+      command
+          .add_option("--speed", inputs.speed,
+                      "factor on the speed of the motions, as a robot's speed slider sets it: 0.5 doubles "
+                      "their times (default: 1)")
+          ->check(CLI::Range(0.01, 10.0));
   if (required) {
     for (CLI::Option* option : {robot, trajectory}) option->required();
   } else {
@@ -60,6 +66,7 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
   }
   node->needs(controllers);
   degrees->needs(trajectory);
+  speed->needs(trajectory);
 }
 
 std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder) {

@@ -36,13 +36,12 @@ namespace armtune::internal {
 namespace {
 
 constexpr const char* kGainsFile = "gains.yaml";
-constexpr double kFastDrive =
-    0.4;  // with three periods of delay, as margins have, a loop is unstable at 0.45
+constexpr double kFastDrive = 1.0;  // above, a velocity error changes its sign in every period of the drive
 
 constexpr const char* kScenario = R"(description: {description}
 robot: {robot}
-planned: {{file: {motion}, segments: as_ros{units}}}
-duration: planned
+planned: {{file: {motion}, segments: as_ros{units}{speed}}}
+hold_end: 0.5              # s, time at the end of the motion, in which the joints settle
 control_period: {period}   # s
 theta_start: {{model_scale: 1.0}}   # {masses}
 {cell}
@@ -149,6 +148,8 @@ std::string scenario_yaml(const StudyMotion& move, const Arm& arm, const Control
                    ? "no effect: this controller uses no masses"
                    : "the robot's own model of the arm, from which it computes gravity torques"),
       fmt::arg("units", degrees ? ", units: {angle: deg}" : ""),
+      fmt::arg("speed",
+               inputs.speed == 1.0 || !move.message.empty() ? "" : fmt::format(", speed: {}", inputs.speed)),
       fmt::arg("cell",
                arm.touches_itself() && !arm.has_cell
                    ? "\n# The arm must not touch itself. Describe its surroundings here too: floor, parts.\n"
@@ -185,13 +186,14 @@ double rate_of(const ControllerStudyInputs& inputs, const ControllerInFile& from
       "the file has no update_rate of the controller manager; give the control rate with --rate HZ");
 }
 
-/// Adds a note if the simulated velocity drives are too fast for the control rate [Hz] somewhere on the
-/// motions.
+/// Adds a note if the simulated velocity drives are too fast for their rate somewhere on the motions.
+/// control_rate [Hz].
 void note_fast_drives(const Gains& gains, const RobotModel& arm, const std::vector<StudyMotion>& moves,
-                      double rate, std::vector<std::string>& notes) {
+                      double control_rate, std::vector<std::string>& notes) {
   if (gains.controller != kPositionStreaming && gains.controller != kJointTrajectoryVelocityController)
     return;
   constexpr int kPoints = 50;  // on each motion
+  const double rate = control_rate * steps_in(1.0 / control_rate, kDriveFrequency);
   double most = 0.0;
   Eigen::Index joint = 0;
   for (const StudyMotion& move : moves) {
@@ -207,10 +209,12 @@ void note_fast_drives(const Gains& gains, const RobotModel& arm, const std::vect
   }
   if (most < kFastDrive) return;
   notes.push_back(fmt::format(
-      "the simulated velocity drive of {} is too fast for {:.4g} Hz: it removes {:.0f} % of a velocity error in "
-      "each period, and at most {:.0f} % is safe. The arm may shake in simulation although it does not on the "
-      "robot. Give a higher --rate, or the drives' drive_velocity_gain in a robot YAML",
-      arm.joints[static_cast<std::size_t>(joint)].name, rate, 100.0 * most, 100.0 * kFastDrive));
+      "the simulated velocity drive of {} is too fast for its rate of {:.4g} Hz: in each period it removes "
+      "{:.0f} % of a velocity error, and more than {:.0f} % makes it overshoot. The arm may shake in simulation "
+      "although it does not on the robot. Give drive_velocity_gain of your drives in a robot YAML, or a higher "
+      "rate in the scenarios, of up to 1e5 Hz (plant: {{rate: {:.0f}}})",
+      arm.joints[static_cast<std::size_t>(joint)].name, rate, 100.0 * most, 100.0 * kFastDrive,
+      std::min(1e5, std::ceil(rate * most / 1000.0) * 1000.0)));
 }
 
 /// True if the folder contains exactly these files, as after an earlier call.

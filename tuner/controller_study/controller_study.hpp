@@ -20,6 +20,7 @@ struct JointGoals {
   std::shared_ptr<const ClearanceModel> clearance;  ///< pairs of bodies that must not touch
   std::vector<JointVector> positions;               ///< n each, at least two [rad, m]
   bool ros2 = true;                                 ///< version of ROS that the message is for
+  double speed = 1.0;                               ///< factor on the speed of the planned motion
 };
 
 /// A motion through joint goals. It begins at 0 s.
@@ -37,6 +38,7 @@ struct ControllerStudyInputs {
   std::string node;                       ///< name of the controller in the file; empty: the only one
   std::vector<std::string> trajectories;  ///< CSV files or ROS messages, at least one; with times or without
   double rate = 0.0;                      ///< rate of the controller [Hz]; 0: the file's update_rate
+  double speed = 1.0;                     ///< factor on the speed of all motions
   bool degrees = false;                   ///< true: angles in CSV files are in degrees, not in radians
   GoalTiming timing = {};                 ///< plans motions for files without times; empty: these are refused
   /// Without a parameter file: one of armtune's controllers that follow joint motions. Its start gains are

@@ -48,7 +48,7 @@ std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInput
   for (const std::string& path : inputs.trajectories) {
     const std::string name = free_name(std::filesystem::path(path).stem().string(), taken);
     check_result_name(name, path);
-    PlannedFile file{{path}, true};
+    PlannedFile file{{path}, true, inputs.speed};
     if (inputs.degrees && !is_trajectory_message(path)) file.table.units.angle = std::numbers::pi / 180.0;
     if (!inputs.timing) {
       motions.push_back({path, name, load_planned_motion(file, *arm.robot), absolute_path(path), ""});
@@ -61,6 +61,7 @@ std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInput
     }
     check_result_name(name, path, kLongestName - kMotion.size());
     arm.file = path;
+    arm.speed = inputs.speed;
     arm.positions = std::move(given.goals);
     std::optional<TimedGoals> timed = inputs.timing(arm);
     if (!timed) return std::nullopt;

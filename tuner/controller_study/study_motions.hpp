@@ -19,8 +19,9 @@ struct StudyMotion {
   std::string message;    ///< ROS message, if the motion was planned through joint goals; otherwise empty
 };
 
-/// Reads a motion from each file of inputs.trajectories, or plans it. arm: the arm; its members `file` and
-/// `positions` are not used. Throws InputError. Returns nothing if planning was stopped.
+/// Reads a motion from each file of inputs.trajectories, or plans it. arm: gives the robot for which motions
+/// are planned; its members `file` and `positions` are not used, because the goals come from the files.
+/// Throws InputError. Returns nothing if planning was stopped.
 std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInputs& inputs, JointGoals arm);
 
 /// Adds notes for the user on how the file of a motion was understood, such as a motion without velocities.

@@ -64,10 +64,10 @@ Scenario extended_to(const Scenario& scenario, double seconds) {
 
 std::vector<std::string> how_extended(const Scenario& scenario) {
   std::vector<std::string> sentences;
-  if (scenario.planned && !scenario.has_task()) {
-    sentences.emplace_back(
-        "after the planned motion, the arm performs the scenario's task; without a task, the tool stays "
-        "where the motion ends");
+  if (scenario.holds_end) {
+    if (!scenario.holds_goal()) sentences.emplace_back("the joints stay where the planned motion ends");
+  } else if (!scenario.has_task()) {
+    sentences.emplace_back("after the planned motion, the arm performs the scenario's task");
   }
   if (scenario.path.spline && !scenario.path.spline->loops())
     sentences.emplace_back("the tool stays at its last waypoint");

@@ -6,14 +6,15 @@
 #include <random>
 
 #include "armtune/error.hpp"
+#include "core/common/delay_line.hpp"
 #include "core/control/joint_space_law.hpp"
+#include "core/control/laws/joint_drives.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/slotine_li.hpp"
 #include "sim/csv/cell.hpp"
 #include "sim/plant/flush_denormals.hpp"
 #include "sim/plant/plant.hpp"
 #include "sim/plant/sensors.hpp"
-#include "sim/plant/torque_delay.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -75,8 +76,9 @@ ExcitationLog simulate_excitation(const Scenario& scenario, const Excitation& ex
   const RobotModel plant_arm = plant_model(bare);
   const auto plant = make_simbody_plant(plant_arm, options.stepper);
   const double period = scenario.control_period;
+  const int steps = steps_in(period, scenario.plant.rate);
   Sensors sensors(scenario.plant.position_noise, scenario.plant.velocity_noise, scenario.seed);
-  TorqueDelay delay(model.n(), scenario.plant.torque_delay_periods);
+  DelayLine delay(model.n(), scenario.plant.torque_delay_periods);
   std::mt19937_64 generator(scenario.seed ^ kTorqueStream);
   std::normal_distribution<double> normal;
   Follower follower(model, excitation.center, options);
@@ -116,7 +118,7 @@ ExcitationLog simulate_excitation(const Scenario& scenario, const Excitation& ex
       log.interrupted = true;
       break;
     }
-    plant->step(acting, period);
+    for (int step = 0; step < steps; ++step) plant->step(acting, period / steps);
   }
   return log;
 }

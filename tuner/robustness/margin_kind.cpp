@@ -41,7 +41,8 @@ const std::array<MarginField, kMarginCount>& margin_fields() {
   // The strides are small enough to meet the first failure, and not to step over it to stable values beyond.
   // Noise has larger strides, because its search has the longest way to go.
   static const std::array<MarginField, kMarginCount> fields{{
-      {"torque_delay", "periods", "largest additional torque delay, in control periods",
+      {"torque_delay", "periods",
+       "largest additional delay, in control periods, of torques or of commands to the robot's drives",
        [](const Scenario&) { return 0.0; }, delay_more,
        EdgeSearch{.first = 1.0, .stride = 2.0, .last = 1000.0, .whole = true}},
       {"gain_factor", "1",

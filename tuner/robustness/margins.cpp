@@ -22,6 +22,7 @@ class Watch {
   Watch(const Scenario& scenario, const std::vector<MetricLimit>& limits)
       : joints_(joint_names(*scenario.robot)),
         velocity_limits_(scenario.robot->velocity_limits()),
+        effort_limits_(scenario.robot->effort_limits()),
         allowed_(saturated_periods_allowed(scenario)) {
     for (const MetricLimit& limit : limits) {
       if (limit.metric == Metric::kJointVelocityMaxRatio && limit.upper) velocity_.push_back(limit);
@@ -29,18 +30,17 @@ class Watch {
   }
 
   bool goes_on(const Observation& o) {
-    for (const MetricLimit& limit : velocity_) {
-      for (Eigen::Index i = 0; i < velocity_limits_.size(); ++i) {
-        if (std::abs((*o.qd)[i]) / velocity_limits_[i] <= limit.value) continue;
-        const std::string& joint = joints_[static_cast<std::size_t>(i)];
-        failure_ = {fmt::format("{} breaks {} at time {:.3f} s", joint, to_string(limit), o.time), joint,
-                    o.time};
-        return false;
-      }
-    }
-    if (o.control->saturated && ++saturated_ > allowed_) {
+    bool within = true;
+    JointVector most = JointVector::Zero(velocity_limits_.size());  // torque, as a share of its limit
+    o.each_instant([&](double time, const JointVector&, const JointVector& qd, const JointVector& commanded,
+                       const JointVector&) {
+      most = most.cwiseMax(commanded.cwiseAbs().cwiseQuotient(effort_limits_));
+      within = within && keeps_velocity(time, qd);
+    });
+    if (!within) return false;
+    if (o.saturated() && ++saturated_ > allowed_) {
       Eigen::Index worst = 0;
-      (o.control->commanded - o.control->torque).cwiseAbs().maxCoeff(&worst);
+      most.maxCoeff(&worst);
       failure_ = {fmt::format("{} at {:.3f} s", saturation_text(), o.time),
                   joints_[static_cast<std::size_t>(worst)], o.time};
       return false;
@@ -51,8 +51,20 @@ class Watch {
   const LoopFailure& failure() const { return failure_; }
 
  private:
+  bool keeps_velocity(double time, const JointVector& qd) {
+    for (const MetricLimit& limit : velocity_) {
+      for (Eigen::Index i = 0; i < velocity_limits_.size(); ++i) {
+        if (std::abs(qd[i]) / velocity_limits_[i] <= limit.value) continue;
+        const std::string& joint = joints_[static_cast<std::size_t>(i)];
+        failure_ = {fmt::format("{} breaks {} at time {:.3f} s", joint, to_string(limit), time), joint, time};
+        return false;
+      }
+    }
+    return true;
+  }
+
   std::vector<std::string> joints_;
-  JointVector velocity_limits_;
+  JointVector velocity_limits_, effort_limits_;
   std::vector<MetricLimit> velocity_;
   long allowed_;  ///< periods
   long saturated_ = 0;

@@ -23,28 +23,15 @@ double ratio(double value, double reference) {
 }  // namespace
 
 const std::vector<Metric>& headline_metrics() {
-  static const std::vector<Metric> metrics = {Metric::kJointErrorRms,
-                                              Metric::kJointErrorMax,
-                                              Metric::kPositionMax,
-                                              Metric::kOrientationMax,
-                                              Metric::kLinearVelocityRms,
-                                              Metric::kAngularVelocityRms,
-                                              Metric::kGazeRms,
-                                              Metric::kGazeTimeOutside,
-                                              Metric::kReacquisitionTime,
-                                              Metric::kResponseRiseTime,
-                                              Metric::kResponseOvershoot,
-                                              Metric::kResponseSettlingTime,
-                                              Metric::kResponseSteadyStateError,
-                                              Metric::kResponseBandwidth,
-                                              Metric::kJointVelocityMaxRatio,
-                                              Metric::kJointEffortMaxRatio,
-                                              Metric::kJointPositionMinMargin,
-                                              Metric::kObstacleMinClearance,
-                                              Metric::kClearanceSelf,
-                                              Metric::kClearanceCell,
-                                              Metric::kClearanceFloor,
-                                              Metric::kEffortRateRms};
+  static const std::vector<Metric> metrics = {
+      Metric::kJointErrorRms,          Metric::kJointErrorMax,         Metric::kGoalSettlingTime,
+      Metric::kGoalOvershoot,          Metric::kPositionMax,           Metric::kOrientationMax,
+      Metric::kLinearVelocityRms,      Metric::kAngularVelocityRms,    Metric::kGazeRms,
+      Metric::kGazeTimeOutside,        Metric::kReacquisitionTime,     Metric::kResponseRiseTime,
+      Metric::kResponseOvershoot,      Metric::kResponseSettlingTime,  Metric::kResponseSteadyStateError,
+      Metric::kResponseBandwidth,      Metric::kJointVelocityMaxRatio, Metric::kJointEffortMaxRatio,
+      Metric::kJointPositionMinMargin, Metric::kObstacleMinClearance,  Metric::kClearanceSelf,
+      Metric::kClearanceCell,          Metric::kClearanceFloor,        Metric::kEffortRateRms};
   return metrics;
 }
 

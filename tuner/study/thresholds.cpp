@@ -6,7 +6,8 @@ namespace armtune::internal {
 
 const std::array<ThresholdField, 9>& threshold_fields() {
   static constexpr std::array<ThresholdField, 9> fields{{
-      {"delay_periods", "control periods", "extra torque delay that the loop must tolerate",
+      {"delay_periods", "control periods",
+       "extra delay of torques, or of commands to drives, that the loop must tolerate",
        &VerdictThresholds::delay_periods, true, 0.0, 1000.0, true},
       {"gain", "1", "common factor on the gains that the loop must tolerate", &VerdictThresholds::gain, true,
        1.0, 100.0},

@@ -7,6 +7,7 @@
 
 #include "core/control/laws/cartesian_impedance_law.hpp"
 #include "core/control/laws/first_gains.hpp"
+#include "core/control/laws/joint_drives.hpp"
 #include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/position_streaming_law.hpp"
@@ -40,16 +41,21 @@ std::string rotors_text(const RobotModel& robot) {
       fmt::join(without, ", "), robot.name);
 }
 
-/// Returns the joints whose friction at rest would make an explicit step of one control period unstable. The
-/// condition is h c > 2 d with the control period h, the slope c of the friction law, and the inertia d that
+/// Returns the longest step of the simulated arm [s]. With the drives of a robot, the steps may be shorter.
+double longest_step(const Scenario& scenario) {
+  return scenario.control_period / steps_in(scenario.control_period, scenario.plant.rate);
+}
+
+/// Returns the joints whose friction at rest would make an explicit step of the simulated arm unstable. The
+/// condition is h c > 2 d with the step h, the slope c of the friction law, and the inertia d that
 /// the joint moves at the start of the scenario.
 std::vector<std::string> stiff_joints(const Scenario& scenario, const RobotModel& plant) {
   const JointVector inertia = joint_inertia(plant, scenario.start_position);
+  const double step = longest_step(scenario);
   std::vector<std::string> names;
   for (int i = 0; i < plant.n(); ++i) {
     const double slope = plant.chain.viscous_friction[i] + plant.chain.coulomb_friction[i] / kCoulombVelocity;
-    if (scenario.control_period * slope > 2.0 * inertia[i])
-      names.push_back(plant.joints[static_cast<std::size_t>(i)].name);
+    if (step * slope > 2.0 * inertia[i]) names.push_back(plant.joints[static_cast<std::size_t>(i)].name);
   }
   return names;
 }
@@ -89,11 +95,19 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
     if (streams || gains.controller == kJointTrajectoryVelocityController)
       add_once(
           robot.drive_velocity_gain.size() > 0
-              ? fmt::format("the drives of {} have the velocity loops that its file gives", robot.name)
-              : fmt::format("the drives of {} have velocity loops with a bandwidth of {:.0f} rad/s, because "
-                            "its file gives none",
-                            robot.name, kDriveRate),
+              ? fmt::format(
+                    "the drives of {} run at no less than {:.4g} Hz, with the velocity loops that its file gives",
+                    robot.name, drive_frequency(scenario.plant.rate))
+              : fmt::format(
+                    "the drives of {} run at no less than {:.4g} Hz, with velocity loops that have a bandwidth of "
+                    "{:.0f} rad/s, because its file gives none",
+                    robot.name, drive_frequency(scenario.plant.rate), kDriveRate),
           verdict.assumes);
+    if (streams || gains.controller == kJointTrajectoryVelocityController)
+      add_once(
+          fmt::format("delays inside the drives of {} (torque_delay_periods delays the commands to them)",
+                      robot.name),
+          verdict.not_checked);
     if (robot.compensates_gravity)
       add_once(fmt::format("{} compensates gravity itself, as its file states", robot.name), verdict.assumes);
   }
@@ -138,10 +152,10 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
     const RobotModel plant = plant_model(scenario);
     const std::vector<std::string> stiff = stiff_joints(scenario, plant);
     if (!stiff.empty() && stepper != Stepper::kReference) {
-      add_once(fmt::format("in {}, friction stops {} within a control period, so velocity peaks may be "
-                           "higher on the real arm than simulated (--stepper reference resolves them, but is "
-                           "slow and may need a longer --rollout-deadline)",
-                           scenario.name, fmt::join(stiff, ", ")),
+      add_once(fmt::format("in {}, friction stops {} within {:.3g} s, so velocity peaks may be higher on the "
+                           "real arm than simulated (--stepper reference resolves them, but is slow and may "
+                           "need a longer --rollout-deadline)",
+                           scenario.name, fmt::join(stiff, ", "), longest_step(scenario)),
                verdict.assumes);
     }
     if (plant.chain.viscous_friction.isZero(0.0) && plant.chain.coulomb_friction.isZero(0.0)) {

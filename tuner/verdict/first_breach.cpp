@@ -9,14 +9,15 @@ namespace {
 
 /// Returns how near each joint is to the limit that the metric belongs to (n). The joint with the largest
 /// value is the nearest. Empty for a metric that belongs to no joint.
-JointVector nearness(Metric metric, const RobotModel& model, const Observation& o) {
+JointVector nearness(Metric metric, const RobotModel& model, const JointVector& q, const JointVector& qd,
+                     const JointVector& commanded) {
   switch (metric) {
     case Metric::kJointVelocityMaxRatio:
-      return o.qd->cwiseAbs().cwiseQuotient(model.velocity_limits());
+      return qd.cwiseAbs().cwiseQuotient(model.velocity_limits());
     case Metric::kJointEffortMaxRatio:
-      return o.control->commanded.cwiseAbs().cwiseQuotient(model.effort_limits());
+      return commanded.cwiseAbs().cwiseQuotient(model.effort_limits());
     case Metric::kJointPositionMinMargin:
-      return (model.lower_limits() - *o.q).cwiseMax(*o.q - model.upper_limits());
+      return (model.lower_limits() - q).cwiseMax(q - model.upper_limits());
     default:
       return {};
   }
@@ -29,7 +30,12 @@ std::optional<Breach> breach_of(const Scenario& scenario, const Gains& gains, co
   Breach breach;
   JointVector near;
   const auto watch = [&](const Observation& o) {
-    near = nearness(limit.metric, *scenario.robot, o);
+    near.resize(0);
+    o.each_instant([&](double, const JointVector& q, const JointVector& qd, const JointVector& commanded,
+                       const JointVector&) {
+      const JointVector now = nearness(limit.metric, *scenario.robot, q, qd, commanded);
+      near = near.size() == 0 ? now : JointVector(near.cwiseMax(now));
+    });
     breach.time = o.time;
     return true;
   };

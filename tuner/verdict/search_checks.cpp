@@ -156,7 +156,8 @@ void add_bounds_note(const Study& study, const Gains& gains, SimulationVerdict& 
   }
   if (names.empty()) return;
   verdict.notes.push_back(
-      fmt::format("{} of {} gains lie on a bound of the study, and wider bounds may be better: {}",
+      fmt::format("{} of {} gains lie on a bound of the study: {}. Wider bounds may be better, if the robot "
+                  "accepts them",
                   names.size(), study.space.free.size(), fmt::join(names, ", ")));
 }
 

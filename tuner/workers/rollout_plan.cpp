@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "core/control/laws/joint_drives.hpp"
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
@@ -12,7 +13,8 @@ namespace armtune::internal {
 double deadline_of(double asked, const Scenario& scenario) {
   constexpr double kAnyhow = 20.0;
   constexpr double kPerSecond = 2.0;
-  return asked > 0.0 ? asked : kAnyhow + kPerSecond * scenario.duration;
+  const int steps = steps_in(scenario.control_period, scenario.plant.rate);
+  return asked > 0.0 ? asked : kAnyhow + kPerSecond * scenario.duration * steps;
 }
 
 Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sample) {

@@ -13,14 +13,24 @@ namespace armtune::internal {
 class Controller {
  public:
   /// gains must be valid for the model (see validate). theta (13 n): parameters of the controller's model of
-  /// the arm at the start. period: control period [s].
+  /// the arm at the start. period: control period [s]. timing: of the drives, if the law commands velocities
+  /// or positions.
   Controller(std::shared_ptr<const RobotModel> model, const Gains& gains, const ParameterVector& theta,
-             double period, TaskMask mask = TaskMask::kPose);
+             double period, TaskMask mask = TaskMask::kPose, const DriveTiming& timing = {});
   Controller(const Controller&) = delete;  // the inverse refers to this object's Jacobian
   Controller& operator=(const Controller&) = delete;
 
   /// Computes one control period. Allocates nothing. The returned reference is valid until the next call.
   const ControlOutput& update(const JointState& measured, const Scene& scene, double time);
+
+  /// True if the law commands velocities or positions, which the robot's drives follow.
+  bool has_drives() const { return drives_ != nullptr; }
+  /// Number of the drives' periods in a control period. The torque of update() acts in the first of them.
+  int drive_steps() const { return has_drives() ? drives_->steps() : 1; }
+  /// Computes the torques (n) [N m, N] of the drives' next period: before saturation, and within the effort
+  /// limits. The repulsion of obstacles stays that of the control period. Must not be called without drives.
+  /// Allocates nothing.
+  void drive(const JointState& measured, JointVector& commanded, JointVector& torque);
 
   const ParameterVector& theta() const { return law_->theta(); }
   const Gains& gains() const { return logic_.gains(); }
@@ -37,6 +47,10 @@ class Controller {
   ControlLogic logic_;
   MeasuredArm arm_;
   std::unique_ptr<TorqueLaw> law_;
+  JointDrives* drives_;  ///< of law_, may be null
+  // With drives:
+  JointVector effort_limits_;
+  JointVector added_;  ///< to their torque, by repulsion and velocity barrier
 };
 
 }  // namespace armtune::internal

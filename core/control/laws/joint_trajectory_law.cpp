@@ -7,7 +7,6 @@
 
 #include "core/control/laws/desired_joints.hpp"
 #include "core/control/laws/first_gains.hpp"
-#include "core/control/laws/held_drives.hpp"
 #include "core/control/laws/ros_pid.hpp"
 
 namespace armtune::internal {
@@ -35,7 +34,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
         period_(setup.period),
         desired_(setup.model.n(), setup.period) {
     if (setup.gains.controller == kJointTrajectoryVelocityController)
-      drives_.emplace(setup.model, setup.period);
+      drives_.emplace(setup.model, setup.period, setup.drives);
     const JointVector& clamp = jtc_gain(setup.gains, "i_clamp");
     const bool winds_up = jtc_gain(setup.gains, "antiwindup")[0] == 0.0;
     for (int i = 0; i < setup.model.n(); ++i) {
@@ -54,7 +53,8 @@ class JointTrajectoryLaw final : public TorqueLaw {
   void torque(const LawInput& in, JointVector& tau) override {
     const MotionPoint<JointVector> desired = desired_.next(in);
     const bool ahead = in.control.state == ControlState::kFollowPlan && !feeds_forward_.isZero(0.0);
-    const JointVector next = ahead ? in.scene.plan->at(in.time + period_).velocity : desired.velocity;
+    JointVector next = ahead ? in.scene.plan->at(in.time + period_).velocity : desired.velocity;
+    if (ahead && in.time + period_ > in.scene.plan->end()) next.setZero();
     command_.resize(feeds_forward_.size());
     for (Eigen::Index i = 0; i < command_.size(); ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -64,14 +64,17 @@ class JointTrajectoryLaw final : public TorqueLaw {
       command_[i] = feeds_forward_[i] * next[i] +
                     pids_[k].output(gains_[k], error, desired.velocity[i] - in.measured.qd[i], period_);
     }
-    if (drives_ ? drives_->need_weight() : held_by_robot_) gravity_torque(in.arm, weight_);
+    if (drives_ ? drives_->needs_weight() : held_by_robot_) gravity_torque(in.arm, weight_);
     if (drives_) {
-      drives_->torque(command_, in.measured.qd, weight_, tau);
+      drives_->begin(command_, in.measured, weight_);
+      drives_->torque(in.measured, tau);
     } else {
       tau = command_;
       if (held_by_robot_) tau += weight_;
     }
   }
+
+  JointDrives* drives() override { return drives_ ? &*drives_ : nullptr; }
 
  private:
   std::array<RosPidGains, kMaxJoints> gains_{};
@@ -79,7 +82,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
   std::array<bool, kMaxJoints> turns_{};  ///< joint without position limits
   JointVector feeds_forward_;
   JointVector command_;  ///< efforts or velocities
-  std::optional<HeldDrives> drives_;
+  std::optional<JointDrives> drives_;
   bool held_by_robot_;  ///< the robot itself compensates gravity
   JointVector weight_;
   double period_;

@@ -19,12 +19,12 @@ struct ServoGains {
 /// lags by T. Its damping ratio is T sqrt(g) / 2.
 class PositionServo {
  public:
-  /// period: control period h [s].
+  /// period: time h between two calls of step() [s].
   PositionServo(const RobotModel& model, const ServoGains& gains, double period);
 
   /// Begins at rest at q (n) [rad, m].
   void start(const JointVector& q);
-  /// Advances by a period in which the commanded positions (n) stay constant. The solution of the equation is
+  /// Advances by a time h in which the commanded positions (n) stay constant. The solution of the equation is
   /// exact unless a limit acts. Joints without position limits take the shorter way. Allocates nothing.
   void step(const JointVector& commanded);
 

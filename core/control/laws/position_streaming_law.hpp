@@ -8,9 +8,9 @@ namespace armtune::internal {
 
 inline constexpr const char* kPositionStreaming = "position_streaming";
 
-/// Makes the kind of this name. Desired joint positions are sent to the robot, one set in each
-/// servo_stream_period; the robot holds the last one. Its servo makes a smooth motion q_s of them
-/// (position_servo.hpp), which a position loop and the joints' velocity drives follow (velocity_drive.hpp):
+/// Makes the kind of this name. It sends the desired joint positions once in every control period. In the
+/// robot, a servo makes a smooth motion q_s of them (position_servo.hpp), which a position loop and the
+/// joints' velocity drives follow (joint_drives.hpp):
 ///   velocity command = q_s' + servo_position_gain (q_s - q).
 /// The gains that are tuned are those of the servo, which a user of servoj can choose.
 ControllerKind position_streaming_controller();

@@ -6,6 +6,7 @@
 
 #include "core/control/control_output.hpp"
 #include "core/control/gains.hpp"
+#include "core/control/laws/joint_drives.hpp"
 #include "core/control/measured_arm.hpp"
 #include "core/control/task_mask.hpp"
 #include "core/robot/robot_model.hpp"
@@ -21,6 +22,7 @@ struct LawSetup {
   const ParameterVector& theta;  ///< (13 n), of the controller's model of the arm (core/robot/theta.hpp)
   double period;                 ///< control period [s]
   TaskMask mask;
+  DriveTiming drives = {};  ///< used by laws that command velocities or positions
 };
 
 /// The inputs of a law in one control period.
@@ -45,6 +47,10 @@ class TorqueLaw {
   /// Computes the torques (n) [N m, N]. The repulsion of obstacles, the velocity barrier and the effort
   /// limits are applied to them afterwards. Allocates nothing.
   virtual void torque(const LawInput& in, JointVector& tau) = 0;
+  /// Returns the drives of a robot that takes velocities or positions. torque() then begins a control period
+  /// of them, and returns the torques of their first period; the caller computes those of the other periods.
+  /// Null: the law commands torques.
+  virtual JointDrives* drives() { return nullptr; }
   /// Is called at the end of every period. learning: true if no joint was saturated and adaptation is wanted.
   virtual void conclude(bool /*learning*/) {}
 

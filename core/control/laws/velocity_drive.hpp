@@ -24,9 +24,9 @@ struct DriveGains {
 /// kDriveIntegralRate.
 DriveGains drive_gains(const RobotModel& model);
 
-/// Returns the share of each joint's velocity error (n) that its drive removes in one control period [s] at q
-/// (n), with the other joints free. The simulated drives compute their torque once per control period. With
-/// one period of delay such a loop oscillates for ever at a share of 1, with three periods at 0.45.
+/// Returns the share of each joint's velocity error (n) that its drive removes in one of its periods [s] at q
+/// (n), with the other joints free. Above 1, the error changes its sign in every period. Near 2 the arm
+/// oscillates for ever, and beyond, the oscillation grows.
 JointVector drive_step(const RobotModel& model, const JointVector& q, double period);
 
 class VelocityDrives {

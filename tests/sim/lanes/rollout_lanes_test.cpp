@@ -108,6 +108,18 @@ TEST(RolloutLanes, StepAsTheStepperDoesAlone) {
   EXPECT_THROW(lane_kind(scenario_of("moving_target", 3.0), Stepper::kReference, 0), InputError);
 }
 
+TEST(RolloutLanes, TakeSeveralStepsOfTheArmInAControlPeriod) {
+  Scenario scenario = scenario_of("moving_target", 3.0);
+  const std::vector<LaneJob> coarse = candidates(scenario, 1);
+  scenario.plant.rate = 1400.0;  // three steps in 2 ms
+  const std::vector<LaneJob> fine = candidates(scenario, 3);
+  expect_the_same(fine);
+  EXPECT_NE(bits(alone(fine[0]).metrics), bits(alone(coarse[0]).metrics));
+  EXPECT_FALSE(lane_kind(scenario, Stepper::kMidpoint, 0) ==
+               lane_kind(scenario_of("moving_target", 3.0), Stepper::kMidpoint, 0))
+      << "arms with other steps must not share a register";
+}
+
 TEST(RolloutLanes, NoiseCameraDelayFrictionAndObstaclesAreEachArmsOwn) {
   const Scenario scenario = scenario_of("realistic_obstacle_pass", 8.0);
   ASSERT_GT(scenario.plant.position_noise, 0.0);

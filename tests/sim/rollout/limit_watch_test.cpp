@@ -45,6 +45,21 @@ TEST(LimitWatch, ALimitThatIsReachedIsNotPassed) {
   EXPECT_TRUE(seen.watch.broken().empty());
 }
 
+TEST(LimitWatch, SeesTheDrivesBetweenControlPeriods) {
+  Seen seen;
+  seen.look(1.0);
+  DriveInstant between{1.001, seen.q, seen.qd, seen.control.commanded, seen.control.commanded};
+  between.qd[1] = 1.5 * seen.limits(1).velocity;
+  between.commanded[4] = -2.0 * seen.limits(4).effort;
+  seen.o.between = {&between, 1};
+  seen.look(1.002);
+  const std::vector<BrokenLimit> broken = seen.watch.broken();
+  ASSERT_EQ(broken.size(), 2U);
+  for (const BrokenLimit& one : broken) EXPECT_EQ(one.time, 1.001);
+  EXPECT_EQ(broken[0].limit, JointLimit::kVelocity);
+  EXPECT_EQ(broken[1].value, -2.0 * seen.limits(4).effort);
+}
+
 TEST(LimitWatch, RemembersTheFirstPassOfEachLimitWithJointValueAndSide) {
   Seen seen;
   seen.look(0.0);

@@ -20,7 +20,9 @@ std::optional<Shake> watched(const Torques& shares) {
   ShakeWatch watch(arm);
   ControlOutput control;
   Observation o;
+  const JointVector rest = JointVector::Zero(6);
   o.control = &control;
+  o.q = o.qd = &rest;
   for (int k = 0; k < 2000; ++k) {
     o.time = 0.002 * k;
     control.commanded = shares(o.time).cwiseProduct(arm.effort_limits());
@@ -50,6 +52,31 @@ TEST(ShakeWatch, NamesJointFrequencySwingAndBeginningOfATorqueThatSwings) {
     // The first turn is a quarter of a period after the beginning.
     EXPECT_NEAR(shake->time, 1.0 + 0.25 / frequency, 0.003 + 0.5 / frequency);
   }
+}
+
+// A torque that changes its sign in every period of the drives is the same in every control period.
+TEST(ShakeWatch, SeesTheTorquesOfDrivesBetweenControlPeriods) {
+  const RobotModel arm = test::ur10();
+  ShakeWatch watch(arm);
+  ControlOutput control;
+  control.commanded = JointVector::Zero(6);
+  const JointVector rest = JointVector::Zero(6);
+  DriveInstant between{0.0, rest, rest, rest, rest};
+  between.commanded[2] = 0.9 * arm.effort_limits()[2];
+  Observation o;
+  o.control = &control;
+  o.q = o.qd = &rest;
+  for (int k = 0; k < 100; ++k) {
+    o.time = 0.002 * k;
+    between.time = o.time - 0.001;
+    o.between = {&between, k == 0 ? 0U : 1U};
+    watch.look(o);
+  }
+  const auto shake = watch.first();
+  ASSERT_TRUE(shake);
+  EXPECT_EQ(shake->joint, arm.joints[2].name);
+  EXPECT_NEAR(shake->frequency, 500.0, 1.0);
+  EXPECT_NEAR(shake->swing, 0.9, 1e-12);
 }
 
 TEST(ShakeWatch, SaysNothingOfTorquesThatAreSlowSmallOrSoonAtRest) {

@@ -1,5 +1,6 @@
 // Scenarios that begin with a planned motion.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,6 +58,54 @@ TEST_F(PlannedScenario, BeginsWithTheMotionAndLastsAsLongUnlessItSaysOtherwise) 
   EXPECT_EQ(odd.periods(), 151);
   EXPECT_FALSE(odd.has_task());
   EXPECT_TRUE(scenario("planned: plan.csv\nduration: 0.304\n").has_task());
+}
+
+TEST_F(PlannedScenario, AloneItCanHoldTheEndForAWhile) {
+  write(csv());
+  const auto alone = [&](const std::string& keys) {
+    return load_scenario(folder_.write(
+        "alone.yaml",
+        "robot: ur10\ncontrol_period: 0.002\nplanned: plan.csv\ntheta_start: {model_scale: 1}\n" + keys));
+  };
+  EXPECT_FALSE(alone("").holds_goal());
+  const Scenario s = alone("hold_end: 0.5\ngoal_tolerance: 0.02\n");
+  EXPECT_EQ(s.periods(), 1250);
+  EXPECT_TRUE(s.holds_goal());
+  EXPECT_FALSE(s.has_task());
+  EXPECT_EQ(s.goal_tolerance, 0.02);
+  EXPECT_EQ(alone("duration: planned\nhold_end: 0.5\n").periods(), 1250);
+  EXPECT_TRUE(alone("duration: 2.002\n").holds_goal());
+  EXPECT_FALSE(alone("duration: 2\n").holds_goal());
+  EXPECT_THAT(refusal([&] { alone("duration: 3\nhold_end: 0.5\n"); }), HasSubstr("duration: planned"));
+  EXPECT_THAT(refusal([&] { alone("hold_end: -1\n"); }), HasSubstr("hold_end"));
+  EXPECT_THAT(refusal([&] { alone("goal_tolerance: 0\n"); }), HasSubstr("goal_tolerance"));
+  EXPECT_THAT(refusal([&] { scenario("planned: plan.csv\nduration: planned\nhold_end: 0.5\n"); }),
+              HasSubstr("has a task of its tool"));
+}
+
+// q(t) becomes q(begin + speed (t - begin)), so its derivatives grow with the speed and its square.
+TEST_F(PlannedScenario, TheSpeedOfTheMotionCanBeChanged) {
+  write(csv());
+  const JointSpline given = *scenario("planned: plan.csv\nduration: planned\n").planned;
+  for (const double speed : {0.25, 2.0}) {
+    for (const char* segments : {"", ", segments: as_ros"}) {
+      const JointSpline base =
+          *scenario(fmt::format("planned: {{file: plan.csv{}}}\nduration: planned\n", segments)).planned;
+      const Scenario s = scenario(
+          fmt::format("planned: {{file: plan.csv, speed: {}{}}}\nduration: planned\n", speed, segments));
+      EXPECT_EQ(s.planned->begin(), given.begin());
+      EXPECT_NEAR(s.planned->end() - s.planned->begin(), (given.end() - given.begin()) / speed, 1e-12);
+      EXPECT_NEAR(s.duration, 2.0 / speed, 1e-9);
+      for (double t = given.begin(); t < given.end(); t += 0.0717) {
+        const auto slow = s.planned->at(given.begin() + (t - given.begin()) / speed);
+        const auto fast = base.at(t);
+        EXPECT_LT((slow.position - fast.position).cwiseAbs().maxCoeff(), 1e-9);
+        EXPECT_LT((slow.velocity - speed * fast.velocity).cwiseAbs().maxCoeff(), 1e-9);
+        EXPECT_LT((slow.acceleration - speed * speed * fast.acceleration).cwiseAbs().maxCoeff(), 1e-8);
+      }
+    }
+  }
+  EXPECT_THAT(refusal([&] { scenario("planned: {file: plan.csv, speed: 0}\n"); }), HasSubstr("speed"));
 }
 
 TEST_F(PlannedScenario, WithoutABaseNeedsNeitherDurationNorStart) {

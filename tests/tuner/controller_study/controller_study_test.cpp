@@ -7,7 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <numbers>
 
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/first_gains.hpp"
@@ -105,83 +104,6 @@ TEST(ControllerStudy, TunesStiffnessAndDampingOfAJointImpedanceController) {
   ASSERT_EQ(study.space.free.size(), 14U);
   EXPECT_EQ(study.space.free.front().entry.name, "joint_impedance_k/panda_joint1");
   EXPECT_EQ(study.space.free.front().upper, 3000.0);
-}
-
-// Without a parameter file the start gains are computed from the arm, and the rate must be given.
-TEST(ControllerStudy, StartsWithGainsOfItsOwnWithoutAParameterFile) {
-  const test::TemporaryFolder folder;
-  ControllerStudyInputs inputs = example();
-  inputs.controllers.clear();
-  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }),
-              AllOf(HasSubstr("--controllers"), HasSubstr("--controller")));
-  inputs.kind = "position_streaming";
-  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }), HasSubstr("--rate"));
-  inputs.rate = 500.0;
-  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
-  EXPECT_THAT(files.written, UnorderedElementsAre("study.yaml", "gains.yaml", "moves.yaml"));
-  const Study servo = load_study(files.study);
-  EXPECT_EQ(servo.scenarios.front().control_period, 0.002);
-  EXPECT_EQ(servo.space.start.controller, "position_streaming");
-  EXPECT_EQ(servo.space.start.velocity_margin, 0.0) << "such a robot has no velocity governor of armtune's";
-  ASSERT_EQ(servo.space.free.size(), 2U);
-  EXPECT_EQ(servo.space.free[0].lower, 100.0);
-  EXPECT_EQ(servo.space.free[0].upper, 2000.0);
-  EXPECT_EQ(servo.space.free[1].lower, 0.03);
-  EXPECT_EQ(servo.space.free[1].upper, 0.2);
-
-  // At 125 Hz the drives that are assumed cannot be simulated.
-  EXPECT_THAT(files.notes, testing::Not(Contains(HasSubstr("too fast"))));
-  inputs.rate = 125.0;
-  EXPECT_THAT(write_controller_study(inputs, folder / "slow").value().notes,
-              Contains(AllOf(HasSubstr("too fast for 125 Hz"), HasSubstr("drive_velocity_gain"))));
-  inputs.rate = 500.0;
-
-  for (const std::string& kind : joint_motion_controllers()) {
-    inputs.kind = kind;
-    const Study study = load_study(write_controller_study(inputs, folder / kind).value().study);
-    EXPECT_EQ(study.space.start.controller, kind);
-    EXPECT_GE(study.space.free.size(), 2U) << kind;
-  }
-  inputs.kind = "adaptive";
-  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "other"); }),
-              AllOf(HasSubstr("adaptive"), HasSubstr("position_streaming")));
-  inputs.kind = "position_streming";
-  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "other"); }),
-              HasSubstr("position_streaming"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "other"));
-}
-
-// Of a file that armtune does not know, the numbers that a map names are tuned, and no others.
-TEST(ControllerStudy, TunesWhatAMapBindsToGains) {
-  const test::TemporaryFolder folder;
-  folder.write("own.yaml",
-               "stiff: [300.0, 300.0, 300.0, 100.0, 100.0, 100.0]\nelbow: 25.0\nupdate_rate: 500\n");
-  ControllerStudyInputs inputs = example();
-  inputs.controllers =
-      folder.write("map.yaml",
-                   "controller: joint_impedance\nfile: own.yaml\nmap: {stiff: joint_impedance_k, "
-                   "elbow: joint_impedance_d/elbow_joint}\njoint_impedance_d: 12\n");
-  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }), HasSubstr("--rate"));
-  inputs.rate = 500.0;
-  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
-  EXPECT_THAT(files.notes,
-              Contains(AllOf(HasSubstr("own.yaml"), HasSubstr("shoulder_pan_joint, shoulder_lift"))));
-  const Study study = load_study(files.study);
-  EXPECT_THAT(files_of(study), Contains(folder / "own.yaml"));
-  ASSERT_EQ(study.space.free.size(), 7U);
-  EXPECT_EQ(study.space.free.back().entry.name, "joint_impedance_d/elbow_joint");
-  EXPECT_EQ(study.space.free.back().upper, 125.0);
-  Gains gains = study.space.start;
-  EXPECT_EQ(own(gains, "joint_impedance_d")[0], 12.0);
-  own(gains, "joint_impedance_k")[1] = 432.1;
-  own(gains, "joint_impedance_d")[2] = 31.0;
-  std::filesystem::create_directory(folder / "run");
-  EXPECT_EQ(write_controllers(study, gains, folder / "run"), "own.yaml");
-  EXPECT_EQ(test::read_text(folder / "run/own.yaml"),
-            "stiff: [300.0, 432.1, 300.0, 100.0, 100.0, 100.0]\nelbow: 31.0\nupdate_rate: 500\n");
-  own(gains, "joint_impedance_d")[0] = 13.0;
-  EXPECT_THAT(test::refusal([&] { write_controllers(study, gains, folder / "run"); }),
-              AllOf(HasSubstr("joint_impedance_d"), HasSubstr("in the map")));
 }
 
 TEST(ControllerStudy, SaysNothingOfAMotionWithVelocities) {
@@ -349,20 +271,6 @@ TEST(ControllerStudy, ConstrainsWhatTheArmCanTouch) {
   for (const Metric metric : {Metric::kClearanceSelf, Metric::kClearanceCell, Metric::kClearanceFloor,
                               Metric::kJointPositionMinMargin})
     EXPECT_THAT(study.constraints, Contains(testing::Field(&Constraint::metric, metric))) << name(metric);
-}
-
-TEST(ControllerStudy, MotionsInDegreesAreReadAsTheyAreSaidToBe) {
-  const test::TemporaryFolder folder;
-  ControllerStudyInputs inputs = example();
-  std::string header = "time";
-  for (const std::string& joint : joint_names(*load_robot("ur5e"))) header += "," + joint;
-  inputs.trajectories = {folder.write("deg.csv", header + "\n1,0,-90,90,0,0,0\n3,90,-90,90,0,0,0\n")};
-  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "a"); }),
-              AllOf(HasSubstr("deg.csv:2"), HasSubstr("--degrees")));
-  inputs.degrees = true;
-  const ControllerStudyFiles files = write_controller_study(inputs, folder / "a").value();
-  EXPECT_DOUBLE_EQ(load_study(files.study).scenarios[0].planned->at(3.0).position[0], std::numbers::pi / 2);
-  EXPECT_THAT(files.notes, Contains(HasSubstr("begins at 1 s")));
 }
 
 TEST(ControllerStudy, TheSameCallAgainLeavesWhatIsThereAndAChangedStudyIsNotOverwritten) {

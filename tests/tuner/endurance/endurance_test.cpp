@@ -201,8 +201,8 @@ TEST(Endurance, GoesOnWithTheTaskAfterAPlannedMotion) {
   EXPECT_GT(longer.metrics[Metric::kSamples], 100.0) << "the task is tracked";
 }
 
-/// A planned motion without any task is held where it ends.
-TEST(Endurance, HoldsTheToolAfterAPlannedMotionWithoutATask) {
+/// After a planned motion without any task, the joints stay where it ends.
+TEST(Endurance, HoldsTheJointsAfterAPlannedMotionWithoutATask) {
   const Scenario base = test::scenario_of("moving_target");
   Gains gains = load_gains("extended_tuned", joint_names(*base.robot));
   const test::TemporaryFolder folder;
@@ -221,7 +221,8 @@ TEST(Endurance, HoldsTheToolAfterAPlannedMotionWithoutATask) {
   ASSERT_EQ(results.size(), 1U);
   EXPECT_TRUE(results[0].held()) << (results[0].broken ? to_string(*results[0].broken) : results[0].ended);
   EXPECT_DOUBLE_EQ(results[0].simulated, 30.0);
-  // The tool is where the motion ended, at rest.
+  EXPECT_TRUE(how_extended(extended_to(scenario, 60.0)).empty()) << "it stays there already";
+  // The arm is where the motion ended, at rest.
   JointVector last, speed;
   Rollout(extended_to(scenario, 30.0), Stepper::kMidpoint, Engine::kNative)
       .run(gains, [&](const Observation& o) {

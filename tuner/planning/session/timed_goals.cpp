@@ -62,6 +62,14 @@ class Motion {
     }
     rest(begin + move.time.back(), goal);
   }
+  /// Multiplies the speed of the whole motion by a factor.
+  void change_speed(double factor) {
+    for (double& time : time_) time /= factor;
+    for (MotionPoint<JointVector>& knot : knots_) {
+      knot.velocity *= factor;
+      knot.acceleration *= factor * factor;
+    }
+  }
   JointSpline spline() const { return {time_, knots_}; }
   Trajectory trajectory() const {
     Trajectory motion;
@@ -143,6 +151,7 @@ std::optional<TimedGoals> time_goals(const JointGoals& goals, const std::atomic<
     motion.rest(motion.end() + kRest, task.goal);
   }
   if (stop) return std::nullopt;
+  if (goals.speed != 1.0) motion.change_speed(goals.speed);
   return TimedGoals{
       motion.spline(),
       ros_trajectory(*goals.robot, motion.trajectory(), goals.ros2 ? RosVersion::kRos2 : RosVersion::kRos1,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "core/control/laws/controller.hpp"
 #include "core/control/laws/velocity_drive.hpp"
@@ -30,7 +31,7 @@ TEST(PositionStreamingLaw, BeginsWithTheTorqueThatHoldsTheArm) {
       const DriveGains drives = drive_gains(model);
       const JointVector tau = p.torque();
       const JointVector expected =
-          weight - (drives.gain + Period::period * drives.integral).cwiseProduct(p.measured.qd);
+          weight - (drives.gain + 0.5 * Period::period * drives.integral).cwiseProduct(p.measured.qd);
       EXPECT_LT((tau - expected).cwiseAbs().maxCoeff(), 1e-9 * (1.0 + tau.cwiseAbs().maxCoeff()))
           << p.where();
       EXPECT_GT(weight.norm(), 1e-3);
@@ -38,22 +39,23 @@ TEST(PositionStreamingLaw, BeginsWithTheTorqueThatHoldsTheArm) {
   }
 }
 
-// The same arm, stream, servo and drives once more in a few lines, from beside the motion.
+// The same arm, stream, servo and drives once more in a few lines, from beside the motion. The robot computes
+// four torques in each control period, from commands that are late by some control periods.
 TEST(PositionStreamingLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration) {
   RobotModel model = test::pendulum();
   model.drive_velocity_gain = JointVector::Constant(1, 48.0);
   model.drive_velocity_integral = JointVector::Constant(1, 700.0);
-  for (const bool robot_holds : {false, true}) {
+  for (const auto& [robot_holds, delay] : {std::pair{false, 0}, {true, 0}, {false, 2}}) {
     model.compensates_gravity = robot_holds;
     const auto arm = std::make_shared<const RobotModel>(model);
     Gains gains = test::one_joint_gains("position_streaming");
     own(gains, "servo_gain")[0] = 900.0;
     own(gains, "servo_lookahead_time")[0] = 0.05;
-    own(gains, "servo_stream_period")[0] = 0.008;
     own(gains, "servo_position_gain")[0] = 12.0;
-    constexpr double kPeriod = 0.002;
+    constexpr double kPeriod = 0.008, kStep = 0.002;
     const JointSpline plan = test::one_joint_plan();
-    Controller controller(arm, gains, theta_of(arm->chain), kPeriod, TaskMask::kPosition);
+    Controller controller(arm, gains, theta_of(arm->chain), kPeriod, TaskMask::kPosition, {500.0, delay});
+    ASSERT_EQ(controller.drive_steps(), 4);
     Path path;
     Scene scene;
     scene.path = &path;
@@ -61,30 +63,40 @@ TEST(PositionStreamingLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegrati
 
     const auto weight = [](double q) { return 3.0 * 9.81 * 0.4 * std::cos(q); };
     JointState state{JointVector::Constant(1, 0.25), JointVector::Zero(1)};
-    double q = 0.25, qd = 0.0, servo = 0.25, servo_speed = 0.0, commanded = 0.0;
-    double integral = robot_holds ? 0.0 : weight(0.25);
+    double q = 0.25, qd = 0.0, servo = 0.25, servo_speed = 0.0, commanded = 0.25, held = weight(0.25);
+    double integral = robot_holds ? 0.0 : held;
+    JointVector unlimited, limited;
     for (int k = 0; k < 900; ++k) {
-      const double time = k * kPeriod;
-      const double tau = controller.update(state, scene, time).torque[0];
+      const double time = k * kStep;
+      const bool begins = k % 4 == 0;
+      double tau = 0.0;
+      if (begins) {
+        tau = controller.update(state, scene, time).torque[0];
+      } else {
+        controller.drive(state, unlimited, limited);
+        tau = limited[0];
+      }
 
-      if (k % 4 == 0) commanded = plan.at(time).position[0];
+      if (begins && k / 4 >= delay) commanded = plan.at((k / 4 - delay) * kPeriod).position[0];
+      if (begins) held = weight(q);
       const double from = servo;
       for (int part = 0; part < 8; ++part)
-        test::integrate([&](double x, double v) { return 900.0 * (commanded - x - 0.05 * v); }, kPeriod / 8.0,
+        test::integrate([&](double x, double v) { return 900.0 * (commanded - x - 0.05 * v); }, kStep / 8.0,
                         servo, servo_speed);
-      const double slip = (servo - from) / kPeriod + 12.0 * (from - q) - qd;
-      integral += 700.0 * kPeriod * slip;
-      const double own_tau = 48.0 * slip + integral + (robot_holds ? weight(q) : 0.0);
+      const double slip = (servo - from) / kStep + 12.0 * (from - q) - qd;
+      integral += 700.0 * kStep * slip;
+      const double own_tau = 48.0 * slip + integral + (robot_holds ? held : 0.0);
       ASSERT_NEAR(tau, own_tau, 1e-7 * (1.0 + std::abs(own_tau))) << time;
 
-      test::integrate([&](double x, double v) { return test::pendulum_acceleration(own_tau, x, v); }, kPeriod,
+      test::integrate([&](double x, double v) { return test::pendulum_acceleration(own_tau, x, v); }, kStep,
                       q, qd);
-      test::integrate([&](double x, double v) { return test::joint_acceleration(*arm, tau, x, v); }, kPeriod,
+      test::integrate([&](double x, double v) { return test::joint_acceleration(*arm, tau, x, v); }, kStep,
                       state.q[0], state.qd[0]);
       ASSERT_NEAR(state.q[0], q, 1e-9) << time;
       ASSERT_NEAR(state.qd[0], qd, 1e-8) << time;
     }
-    EXPECT_NEAR(q, plan.at(1.8 - 0.05).position[0], 0.02) << "and the arm follows, late by the look-ahead";
+    EXPECT_NEAR(q, plan.at(1.8 - 0.05 - delay * kPeriod).position[0], 0.02)
+        << "and the arm follows, late by the look-ahead and the delay";
   }
 }
 

@@ -1,0 +1,168 @@
+// Studies for users without a ROS parameter file, and the motions of studies.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <numbers>
+
+#include "core/control/laws/controller_kind.hpp"
+#include "sim/controller_files/controller_gains.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tuner/controller_study/controller_in_file.hpp"
+#include "tuner/controller_study/controller_study.hpp"
+#include "tuner/session/study_files.hpp"
+#include "tuner/session/tune_files.hpp"
+#include "tuner/study/study.hpp"
+
+namespace armtune::internal {
+namespace own_controller_study_test {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+const std::string kExample = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/";
+
+ControllerStudyInputs example() {
+  return {"ur5e", kExample + "ros2_controllers.yaml", "", {kExample + "moves.csv"}};
+}
+
+// Without a parameter file the start gains are computed from the arm, and the rate must be given.
+TEST(OwnControllerStudy, StartsWithGainsOfItsOwnWithoutAParameterFile) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.controllers.clear();
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }),
+              AllOf(HasSubstr("--controllers"), HasSubstr("--controller")));
+  inputs.kind = "position_streaming";
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }), HasSubstr("--rate"));
+  inputs.rate = 500.0;
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
+  EXPECT_THAT(files.written, UnorderedElementsAre("study.yaml", "gains.yaml", "moves.yaml"));
+  const Study servo = load_study(files.study);
+  EXPECT_EQ(servo.scenarios.front().control_period, 0.002);
+  EXPECT_EQ(servo.space.start.controller, "position_streaming");
+  EXPECT_EQ(servo.space.start.velocity_margin, 0.0) << "such a robot has no velocity governor of armtune's";
+  ASSERT_EQ(servo.space.free.size(), 2U);
+  EXPECT_EQ(servo.space.free[0].lower, 100.0);
+  EXPECT_EQ(servo.space.free[0].upper, 2000.0);
+  EXPECT_EQ(servo.space.free[1].lower, 0.03);
+  EXPECT_EQ(servo.space.free[1].upper, 0.2);
+
+  // At any rate of the commands, the drives run at 1 kHz or faster. Far larger gains than the assumed ones
+  // are too fast for that.
+  inputs.rate = 130.0;
+  EXPECT_THAT(write_controller_study(inputs, folder / "slow").value().notes,
+              testing::Not(Contains(HasSubstr("too fast"))));
+  inputs.robot = folder.write("arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
+                                          "/examples/ur5e/ur5e.urdf\nrotor_inertia: 0.1\n"
+                                          "drive_velocity_gain: 400\n");
+  EXPECT_THAT(
+      write_controller_study(inputs, folder / "stiff").value().notes,
+      Contains(AllOf(HasSubstr("too fast for its rate of 1040 Hz"), HasSubstr("drive_velocity_gain"))));
+  inputs = example();
+  inputs.controllers.clear();
+  inputs.rate = 500.0;
+
+  for (const std::string& kind : joint_motion_controllers()) {
+    inputs.kind = kind;
+    const Study study = load_study(write_controller_study(inputs, folder / kind).value().study);
+    EXPECT_EQ(study.space.start.controller, kind);
+    EXPECT_GE(study.space.free.size(), 2U) << kind;
+  }
+  inputs.kind = "adaptive";
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "other"); }),
+              AllOf(HasSubstr("adaptive"), HasSubstr("position_streaming")));
+  inputs.kind = "position_streming";
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "other"); }),
+              HasSubstr("position_streaming"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "other"));
+}
+
+// Of a file that armtune does not know, the numbers that a map names are tuned, and no others.
+TEST(OwnControllerStudy, TunesWhatAMapBindsToGains) {
+  const test::TemporaryFolder folder;
+  folder.write("own.yaml",
+               "stiff: [300.0, 300.0, 300.0, 100.0, 100.0, 100.0]\nelbow: 25.0\nupdate_rate: 500\n");
+  ControllerStudyInputs inputs = example();
+  inputs.controllers =
+      folder.write("map.yaml",
+                   "controller: joint_impedance\nfile: own.yaml\nmap: {stiff: joint_impedance_k, "
+                   "elbow: joint_impedance_d/elbow_joint}\njoint_impedance_d: 12\n");
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }), HasSubstr("--rate"));
+  inputs.rate = 500.0;
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
+  EXPECT_THAT(files.notes,
+              Contains(AllOf(HasSubstr("own.yaml"), HasSubstr("shoulder_pan_joint, shoulder_lift"))));
+  const Study study = load_study(files.study);
+  EXPECT_THAT(files_of(study), Contains(folder / "own.yaml"));
+  ASSERT_EQ(study.space.free.size(), 7U);
+  EXPECT_EQ(study.space.free.back().entry.name, "joint_impedance_d/elbow_joint");
+  EXPECT_EQ(study.space.free.back().upper, 125.0);
+  Gains gains = study.space.start;
+  EXPECT_EQ(own(gains, "joint_impedance_d")[0], 12.0);
+  own(gains, "joint_impedance_k")[1] = 432.1;
+  own(gains, "joint_impedance_d")[2] = 31.0;
+  std::filesystem::create_directory(folder / "run");
+  EXPECT_EQ(write_controllers(study, gains, folder / "run"), "own.yaml");
+  EXPECT_EQ(test::read_text(folder / "run/own.yaml"),
+            "stiff: [300.0, 432.1, 300.0, 100.0, 100.0, 100.0]\nelbow: 31.0\nupdate_rate: 500\n");
+  own(gains, "joint_impedance_d")[0] = 13.0;
+  EXPECT_THAT(test::refusal([&] { write_controllers(study, gains, folder / "run"); }),
+              AllOf(HasSubstr("joint_impedance_d"), HasSubstr("in the map")));
+}
+
+TEST(StudyMotions, MotionsInDegreesAreReadAsTheyAreSaidToBe) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  std::string header = "time";
+  for (const std::string& joint : joint_names(*load_robot("ur5e"))) header += "," + joint;
+  inputs.trajectories = {folder.write("deg.csv", header + "\n1,0,-90,90,0,0,0\n3,90,-90,90,0,0,0\n")};
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "a"); }),
+              AllOf(HasSubstr("deg.csv:2"), HasSubstr("--degrees")));
+  inputs.degrees = true;
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "a").value();
+  EXPECT_DOUBLE_EQ(load_study(files.study).scenarios[0].planned->at(3.0).position[0], std::numbers::pi / 2);
+  EXPECT_THAT(files.notes, Contains(HasSubstr("begins at 1 s")));
+}
+
+// Half the speed is the same way in twice the time, whether the motion has times or is planned.
+TEST(StudyMotions, MotionsCanBeSlowedDown) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  const auto motion = [&](double speed) {
+    inputs.speed = speed;
+    const ControllerStudyFiles files =
+        write_controller_study(inputs, folder / fmt::format("at_{}", speed)).value();
+    return load_study(files.study).scenarios[0];
+  };
+  const Scenario fast = motion(1.0), slow = motion(0.5);
+  EXPECT_NEAR(slow.planned->end(), 2.0 * fast.planned->end(), 1e-12);
+  EXPECT_EQ(slow.planned->at(2.2).position, fast.planned->at(1.1).position);
+  EXPECT_NEAR(slow.duration - 0.5, 2.0 * (fast.duration - 0.5), 1e-9);
+  EXPECT_TRUE(slow.holds_goal());
+
+  const JointSpline planned = *fast.planned;
+  double asked = 0.0;
+  inputs.timing = [&](const JointGoals& goals) {
+    asked = goals.speed;
+    return TimedGoals{planned, "of the robot, and slow already"};
+  };
+  std::string header;
+  for (const std::string& joint : joint_names(*load_robot("ur5e")))
+    header += (header.empty() ? "" : ",") + joint;
+  inputs.trajectories = {folder.write("goals.csv", header + "\n0,-1,1,0,0,0\n1,-1,1,0,0,0\n")};
+  inputs.speed = 0.5;
+  write_controller_study(inputs, folder / "goals").value();
+  EXPECT_EQ(asked, 0.5);
+  EXPECT_EQ(test::read_text(folder / "goals/goals.yaml").find("speed:"), std::string::npos)
+      << "the file with the motion is slow, so the scenario must not slow it down again";
+  EXPECT_NE(test::read_text(folder / "at_0.5/moves.yaml").find("speed: 0.5"), std::string::npos);
+}
+
+}  // namespace own_controller_study_test
+}  // namespace armtune::internal
