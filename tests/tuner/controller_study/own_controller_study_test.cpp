@@ -58,9 +58,10 @@ TEST(OwnControllerStudy, StartsWithGainsOfItsOwnWithoutAParameterFile) {
   inputs.rate = 130.0;
   EXPECT_THAT(write_controller_study(inputs, folder / "slow").value().notes,
               testing::Not(Contains(HasSubstr("too fast"))));
-  inputs.robot = folder.write("arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
-                                          "/examples/ur5e/ur5e.urdf\nrotor_inertia: 0.1\n"
-                                          "drive_velocity_gain: 400\n");
+  inputs.robot =
+      folder.write("arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
+                               "/examples/ur5e/ur5e.urdf\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
+                               "drive_velocity_gain: [400, 400, 400, 400, 400, 400]\n");
   EXPECT_THAT(
       write_controller_study(inputs, folder / "stiff").value().notes,
       Contains(AllOf(HasSubstr("too fast for its rate of 1040 Hz"), HasSubstr("drive_velocity_gain"))));

@@ -124,9 +124,9 @@ TEST(StudyFile, EndsThatMakeNoSenseAreRefused) {
   EXPECT_THAT(constraint("metric: joint_position/min_margin, at_least: 0.2, hopeless: 0.3"),
               AllOf(HasSubstr("at_least 0.2"), HasSubstr("below")));
   EXPECT_THAT(constraint("metric: error/position/rms, at_most: 1, hopeless: 2"),
-              AllOf(HasSubstr("can recover"), HasSubstr("error/position/max")));
+              AllOf(HasSubstr("can still meet it at the end"), HasSubstr("error/position/max")));
   EXPECT_THAT(constraint("metric: joint_velocity/max_ratio, at_least: 0.2, hopeless: 0.1"),
-              AllOf(HasSubstr("can recover"), HasSubstr("joint_position/min_margin")));
+              AllOf(HasSubstr("can still meet it at the end"), HasSubstr("joint_position/min_margin")));
   EXPECT_THAT(constraint("metric: joint_velocity/max_ratio, at_most: 0.9, hopeless: soon"),
               HasSubstr("soon"));
 }
