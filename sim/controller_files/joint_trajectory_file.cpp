@@ -36,14 +36,17 @@ class Reader : public JointParameters {
 
   void refuse_other_joints(const std::vector<std::string>& joints) const {
     const PlacedValue* gains = controller().parameters->find("gains");
-    std::vector<std::string> missing;
-    for (const std::string& joint : joints) {
-      if (gains->find(joint) == nullptr) missing.push_back(joint);
-    }
-    for (const auto& [joint, own, alias] : gains->entries) {
+    std::vector<std::string> missing = joints;
+    for (const auto& [key, own, alias] : gains->entries) {
+      const std::string joint = without_prefix(key);
       if (std::find(joints.begin(), joints.end(), joint) == joints.end())
         fail(own->line, fmt::format("the arm has no joint '{}'{}; it has: {}", joint,
                                     suggestion(joint, joints), fmt::join(joints, ", ")));
+      if (std::erase(missing, joint) == 0)
+        fail(own->line,
+             fmt::format("'{}' is the second entry for {}, as a launch file's prefix does not count; "
+                         "give a file for one arm",
+                         key, joint));
     }
     if (!missing.empty())
       fail(gains->line,
@@ -65,7 +68,10 @@ class Reader : public JointParameters {
                          : controller().type.starts_with("velocity_") ? "velocity"
                                                                       : controller().type);
     }
-    if (commands.empty() || commands == std::vector<std::string>{"effort"}) return kJointTrajectoryController;
+    if (commands.empty() || commands == std::vector<std::string>{"effort"}) {
+      refuse_jumps();
+      return kJointTrajectoryController;
+    }
     if (commands != std::vector<std::string>{"velocity"})
       fail(controller().parameters->line,
            fmt::format(
@@ -73,10 +79,20 @@ class Reader : public JointParameters {
                "commands with such a file; for streamed positions, use --controller position_streaming "
                "instead of this file",
                fmt::join(commands, ", ")));
+    refuse_jumps();
     const PlacedValue* open_loop = controller().parameters->find("open_loop_control");
     if (open_loop != nullptr && (open_loop->text == "true" || open_loop->text == "True"))
       fail(open_loop->line, "with open_loop_control the gains have no effect; set it to false to tune them");
     return kJointTrajectoryVelocityController;
+  }
+
+  void refuse_jumps() const {
+    const PlacedValue* method = controller().parameters->find("interpolation_method");
+    if (method != nullptr && method->text == "none")
+      fail(
+          method->line,
+          "with interpolation_method 'none' the desired position jumps from point to point, which armtune does "
+          "not simulate; set it to 'splines', or remove it");
   }
 
   /// Returns the largest contribution of the integral. Throws InputError if it depends on the direction.
@@ -86,7 +102,7 @@ class Reader : public JointParameters {
     const double least = of_joint(joint, "i_clamp_min", -both);
     const double upper = std::isfinite(most) ? most : both;
     const double lower = std::isfinite(least) ? least : -both;
-    const int line = controller().parameters->find("gains")->find(joint)->line;
+    const int line = controller().parameters->find("gains")->line;
     if (controller().ros2 && (upper < 0.0 || lower > 0.0))
       fail(line, fmt::format("the integral of {} is clamped to [{}, {}]; this range must contain 0", joint,
                              lower, upper));

@@ -70,15 +70,15 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"joint_effort/saturated_periods", "1", kLess, kOnlyWorsens, "periods with a saturated joint",
        "number of control periods in which the commanded torque of a joint exceeded its effort limit"},
       {"joint_acceleration/max", "rad/s^2", kLess, kOnlyWorsens, "largest joint acceleration",
-       "largest |acceleration| of any joint, at any time: change of its velocity in a control period, divided "
-       "by the period; m/s^2 for prismatic joints"},
+       "largest |acceleration| of any joint, at any time: change of its velocity in a control period (or in a "
+       "period of the robot's drives), divided by the period; m/s^2 for prismatic joints"},
       {"joint_acceleration/max_ratio", "1", kLess, kOnlyWorsens,
        "largest joint acceleration relative to its limit",
        "largest ratio of a joint's |acceleration| to its limit, of all joints with an acceleration limit in the "
        "robot file, at any time; empty if no joint has one"},
       {"joint_jerk/max", "rad/s^3", kLess, kOnlyWorsens, "largest joint jerk",
-       "largest |jerk| of any joint, at any time: change of its acceleration from one control period to the "
-       "next, divided by the period; m/s^3 for prismatic joints"},
+       "largest |jerk| of any joint, at any time: change of its acceleration from one such period to the next, "
+       "divided by the period; m/s^3 for prismatic joints"},
       {"joint_error/rms", "rad", kLess, kEitherWay, "RMS joint error",
        "RMS difference between actual and planned joint positions, over joints and time, while a planned "
        "trajectory is followed; empty without one"},

@@ -118,7 +118,9 @@ class PlacedBuilder final : public YAML::EventHandler {
       return false;
     Open& map = open_.back();
     const auto [first, is_new] = map.key_lines.emplace(key, mark.line + 1);
-    if (!is_new && key != "<<") {
+    // ROS 2 reads the parameters of a node, such as '/**', from several places of a file.
+    const bool is_node = open_.size() == 1 && key.starts_with('/');
+    if (!is_new && key != "<<" && !is_node) {
       fail(mark, fmt::format("duplicate key {}, already on line {}; remove one of the two", shown(key),
                              first->second));
     }

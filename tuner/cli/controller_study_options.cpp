@@ -56,6 +56,14 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
                       "factor on the speed of the motions, as a robot's speed slider sets it: 0.5 doubles "
                       "their times (default: 1)")
           ->check(CLI::Range(0.01, 10.0));
+  CLI::Option* stiffness =
+      command
+          .add_option(
+              "--max-stiffness", inputs.max_stiffness,
+              "largest stiffness that an impedance controller may get [N m/rad, N/m]: one number, or one "
+              "for each joint (default: the stiffness is not tuned)")
+          ->expected(1, static_cast<int>(kMaxJoints))
+          ->check(CLI::PositiveNumber);
   if (required) {
     for (CLI::Option* option : {robot, trajectory}) option->required();
   } else {
@@ -67,6 +75,7 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
   node->needs(controllers);
   degrees->needs(trajectory);
   speed->needs(trajectory);
+  stiffness->needs(trajectory);
 }
 
 std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder) {

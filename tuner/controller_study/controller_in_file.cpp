@@ -10,6 +10,7 @@
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/controller_files/changed_gains.hpp"
@@ -21,7 +22,9 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kMostDamping = 5.0;  // times the damping that fits the arm's inertia
+constexpr const char* kStiffness = "joint_impedance_k";
+constexpr double kLeastStiffness = 0.2;  // of the start value
+constexpr double kMostDamping = 5.0;     // times the damping that fits the arm's inertia
 
 /// Gains that UR robots accept within fixed bounds only.
 struct AcceptedRange {
@@ -125,8 +128,39 @@ ControllerInFile new_controller(const std::string& kind, const RobotModel& arm, 
   return made;
 }
 
+bool has_stiffness(const ControllerInFile& from) {
+  return from.gains.controller == kJointImpedance;
+}
+
+std::vector<double> bounded_stiffness(const std::vector<double>& given, ControllerInFile& from) {
+  if (given.empty()) return {};
+  if (!has_stiffness(from))
+    throw InputError(
+        fmt::format("--max-stiffness has no effect: {} has no stiffness", from.gains.controller));
+  const std::size_t n = from.joints.size();
+  if (given.size() != 1 && given.size() != n)
+    throw InputError(
+        fmt::format("--max-stiffness has {} numbers; give one for all joints, or {}, in the order {}",
+                    given.size(), n, fmt::join(from.joints, ", ")));
+  std::vector<double> most(n, given.front());
+  if (given.size() == n) most = given;
+  JointVector& start = own(from.gains, kStiffness);
+  for (std::size_t k = 0; k < n; ++k) {
+    double& value = start[static_cast<Eigen::Index>(k)];
+    if (value <= most[k]) continue;
+    if (!from.file.empty())
+      throw InputError(
+          InputPlace{from.file},
+          fmt::format("the stiffness of {} is {:.6g}, above --max-stiffness {:.6g}; lower it in the "
+                      "file, or allow more",
+                      from.joints[k], value, most[k]));
+    value = most[k];
+  }
+  return most;
+}
+
 std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
-                             std::vector<std::string>& undamped) {
+                             const std::vector<double>& most_stiffness, std::vector<std::string>& undamped) {
   Gains gains = from.gains;
   // Drives that follow velocities or positions have damping of their own.
   const bool needs_damping = gains.controller == kJointTrajectoryController;
@@ -144,6 +178,16 @@ std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm
       continue;
     }
     const auto is_tuned = [&](Eigen::Index k) { return values[k] != 0.0 && is_in_file(from, *field, k); };
+    if (field->name == std::string_view(kStiffness)) {
+      for (std::size_t k = 0; k < most_stiffness.size(); ++k) {
+        const double start = values[static_cast<Eigen::Index>(k)];
+        if (is_tuned(static_cast<Eigen::Index>(k)))
+          text += entry(
+              field->name, from.joints[k],
+              fmt::format(", lower: {:.6g}, upper: {:.6g}", kLeastStiffness * start, most_stiffness[k]));
+      }
+      continue;
+    }
     Eigen::Index tuned = 0;
     for (Eigen::Index k = 0; k < values.size(); ++k) tuned += is_tuned(k) ? 1 : 0;
     if (tuned == values.size()) {

@@ -36,7 +36,15 @@ ControllerInFile new_controller(const std::string& kind, const RobotModel& arm, 
 /// that the file has a place for this d and that the joint's p is not 0. The range of such a d is 0 to five
 /// times the damping that fits the arm's inertia at q (n) [rad, m]. undamped: receives the names of the
 /// joints with such a d.
+/// most_stiffness: largest stiffness of each joint (n) [N m/rad, N/m]; empty: the stiffness is not tuned.
 std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
-                             std::vector<std::string>& undamped);
+                             const std::vector<double>& most_stiffness, std::vector<std::string>& undamped);
+
+/// True if the controller has a stiffness that could be tuned.
+bool has_stiffness(const ControllerInFile& from);
+/// Returns the largest stiffness of each joint (n) from numbers that the user gives: one for each joint, or
+/// one for all. Lowers the start values of a controller that has no file. Throws InputError if the
+/// controller has no stiffness, if the count is wrong, or if a start value in the file is larger.
+std::vector<double> bounded_stiffness(const std::vector<double>& given, ControllerInFile& from);
 
 }  // namespace armtune::internal

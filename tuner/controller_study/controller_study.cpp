@@ -256,9 +256,14 @@ std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudy
   if (!own_file) from = new_controller(inputs.kind, *arm.model, start);
   const std::string& controller = from.controller.name;
   std::vector<std::string> undamped;
-  const std::string parameters = tuned_parameters(from, *arm.model, start, undamped);
+  const std::vector<double> most_stiffness = bounded_stiffness(inputs.max_stiffness, from);
+  const std::string parameters = tuned_parameters(from, *arm.model, start, most_stiffness, undamped);
 
   ControllerStudyFiles files;
+  if (has_stiffness(from) && most_stiffness.empty())
+    files.notes.emplace_back(
+        "the stiffness is not tuned, only the damping: how stiff the arm may become depends on contacts, which "
+        "are not simulated. To tune it, give its largest value with --max-stiffness, in N m/rad");
   note_fast_drives(from.gains, *arm.model, moves, rate, files.notes);
   if (from.controller.layout == GainLayout::kMapped)
     files.notes.push_back(fmt::format("lists of numbers in {} are taken in the order of the joints {}",

@@ -40,7 +40,10 @@ struct ControllerStudyInputs {
   double rate = 0.0;                      ///< rate of the controller [Hz]; 0: the file's update_rate
   double speed = 1.0;                     ///< factor on the speed of all motions
   bool degrees = false;                   ///< true: angles in CSV files are in degrees, not in radians
-  GoalTiming timing = {};                 ///< plans motions for files without times; empty: these are refused
+  /// Largest stiffness of each joint for impedance controllers [N m/rad, N/m]: n numbers, or one for all
+  /// joints. Empty: the stiffness is not tuned, because nothing here tells how large it may become.
+  std::vector<double> max_stiffness = {};
+  GoalTiming timing = {};  ///< plans motions for files without times; empty: these are refused
   /// Without a parameter file: one of armtune's controllers that follow joint motions. Its start gains are
   /// computed from the arm, and `rate` must be given.
   std::string kind = {};

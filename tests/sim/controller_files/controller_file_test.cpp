@@ -102,6 +102,52 @@ TEST(ControllerFile, IsReadAsRosReadsIt) {
               HasSubstr("command_interfaces is missing"));
 }
 
+// Node names may come several times, as in Franka's fr3_ros_controllers.yaml, which ROS 2 reads.
+TEST(ControllerFile, TheSameNodeNameMayComeSeveralTimes) {
+  const std::string text =
+      "/**:\n  controller_manager:\n    ros__parameters: {update_rate: 1000}\n/**:\n  arm:\n    ros__parameters:\n"
+      "      type: joint_trajectory_controller/JointTrajectoryController\n      command_interfaces: [effort]\n"
+      "      gains: {j1: {p: 600.0, d: 30.0}}\n";
+  const RosController found = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
+  Gains gains = joint_trajectory_gains(found, "f.yaml", {"j1"});
+  EXPECT_EQ(own(gains, "jtc_p")[0], 600.0);
+  own(gains, "jtc_p")[0] = 700.0;
+  const std::string changed = with_gains(text, found, "f.yaml", gains, {"j1"});
+  EXPECT_THAT(changed, HasSubstr("p: 700.0, d: 30.0"));
+  EXPECT_EQ(test::without_numbers(changed), test::without_numbers(text));
+}
+
+// A launch file or xacro puts a prefix in place of the words in brackets.
+TEST(ControllerFile, JointsMayHaveAPrefixOfTheLaunchFile) {
+  for (const std::string prefix : {"$(arg prefix)", "$(var prefix)", "${prefix}"}) {
+    const std::string text = "c:\n  type: effort_controllers/JointTrajectoryController\n  joints: ['" +
+                             prefix + "j1', '" + prefix + "j2']\n  gains:\n    " + prefix +
+                             "j1: {p: 3000.0, i: 0.0, d: 2.0}\n    \"" + prefix +
+                             "j2\": {p: 50.0, i: 0.0, d: 1.0}\n  velocity_ff:\n    " + prefix + "j2: 0.5\n";
+    const RosController found = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
+    Gains gains = joint_trajectory_gains(found, "f.yaml", {"j1", "j2"});
+    EXPECT_EQ(own(gains, "jtc_p")[0], 3000.0) << prefix;
+    EXPECT_EQ(own(gains, "jtc_d")[1], 1.0) << prefix;
+    EXPECT_EQ(own(gains, "jtc_ff_velocity_scale")[1], 0.5) << prefix;
+    own(gains, "jtc_p")[1] = 60.0;
+    EXPECT_THAT(with_gains(text, found, "f.yaml", gains, {"j1", "j2"}),
+                HasSubstr("{p: 60.0, i: 0.0, d: 1.0}"));
+    EXPECT_THAT(refused(text, {"j1"}), HasSubstr("the arm has no joint 'j2'"));
+  }
+  EXPECT_THAT(
+      refused("c:\n  gains:\n    $(arg left)j1: {p: 1.0}\n    $(arg right)j1: {p: 2.0}\n  joints: [j1]\n",
+              {"j1"}),
+      AllOf(HasSubstr("f.yaml:4"), HasSubstr("second entry for j1")));
+}
+
+TEST(ControllerFile, PointsThatAreNotInterpolatedAreRefused) {
+  for (const std::string commands : {"effort", "velocity"})
+    EXPECT_THAT(refused(with_j1("p: 1.0", commands) + "    interpolation_method: none\n", {"j1"}),
+                HasSubstr("interpolation_method 'none'"));
+  EXPECT_EQ(refused(with_j1("p: 1.0") + "    interpolation_method: splines\n", {"j1"}),
+            "nothing was refused");
+}
+
 TEST(ControllerFile, WithVelocityCommandsIsAKindOfItsOwn) {
   const std::vector<std::string> j1 = {"j1"};
   const std::string ros1 =

@@ -25,6 +25,7 @@ namespace controller_study_test {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
@@ -89,13 +90,19 @@ TEST(ControllerStudy, EstimatesTheRotorsThatNobodyGives) {
   EXPECT_EQ(load_study(files.study).scenarios[0].robot->estimated_rotors.size(), 6U);
 }
 
-TEST(ControllerStudy, TunesStiffnessAndDampingOfAJointImpedanceController) {
+// How stiff an arm may become in a contact is the user's to say.
+TEST(ControllerStudy, TunesTheStiffnessOfAnImpedanceControllerUpToTheGivenBoundAlone) {
   const test::TemporaryFolder folder;
-  const std::string example = ARMTUNE_SOURCE_DIR "/examples/joint_impedance/";
-  const ControllerStudyFiles files =
-      write_controller_study({"panda", example + "controllers.yaml", "", {example + "moves.csv"}},
-                             folder / "made")
-          .value();
+  const std::string files_of = ARMTUNE_SOURCE_DIR "/examples/joint_impedance/";
+  ControllerStudyInputs inputs{"panda", files_of + "controllers.yaml", "", {files_of + "moves.csv"}};
+  const ControllerStudyFiles damping = write_controller_study(inputs, folder / "damping").value();
+  EXPECT_THAT(damping.notes, ElementsAre(HasSubstr("--max-stiffness")));
+  const Study without = load_study(damping.study);
+  ASSERT_EQ(without.space.free.size(), 7U) << "the damping alone";
+  EXPECT_EQ(without.space.free.front().entry.name, "joint_impedance_d/panda_joint1");
+
+  inputs.max_stiffness = {1000.0};
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
   EXPECT_THAT(files.notes, IsEmpty());
   const Study study = load_study(files.study);
   EXPECT_EQ(study.scenarios.front().control_period, 0.001);
@@ -103,7 +110,29 @@ TEST(ControllerStudy, TunesStiffnessAndDampingOfAJointImpedanceController) {
   EXPECT_EQ(own(study.space.start, "joint_impedance_velocity_factor")[0], 0.0);
   ASSERT_EQ(study.space.free.size(), 14U);
   EXPECT_EQ(study.space.free.front().entry.name, "joint_impedance_k/panda_joint1");
-  EXPECT_EQ(study.space.free.front().upper, 3000.0);
+  for (std::size_t k = 0; k < 7; ++k) {
+    EXPECT_EQ(study.space.free[k].upper, 1000.0);
+    EXPECT_DOUBLE_EQ(study.space.free[k].lower, 0.2 * study.space.free[k].start);
+  }
+  inputs.max_stiffness = {1000.0, 1000.0, 1000.0, 1000.0, 500.0, 500.0, 90.0};
+  const Study each = load_study(write_controller_study(inputs, folder / "each").value().study);
+  EXPECT_EQ(each.space.free[6].upper, 90.0);
+
+  const auto refused = [&](const std::vector<double>& most) {
+    inputs.max_stiffness = most;
+    return test::refusal([&] { write_controller_study(inputs, folder / "none"); });
+  };
+  EXPECT_THAT(refused({100.0}), AllOf(HasSubstr("controllers.yaml"), HasSubstr("above --max-stiffness 100")));
+  EXPECT_THAT(refused({1000.0, 1000.0}), HasSubstr("one for all joints, or 7"));
+  inputs = example();
+  EXPECT_THAT(refused({1000.0}), HasSubstr("has no stiffness"));
+  // Without a file the start follows from the arm, and stays within the bound.
+  inputs.controllers.clear();
+  inputs.kind = "joint_impedance";
+  inputs.rate = 1000.0;
+  inputs.max_stiffness = {30.0};
+  const Study own_start = load_study(write_controller_study(inputs, folder / "own").value().study);
+  for (const double k : own(own_start.space.start, "joint_impedance_k")) EXPECT_LE(k, 30.0);
 }
 
 TEST(ControllerStudy, SaysNothingOfAMotionWithVelocities) {

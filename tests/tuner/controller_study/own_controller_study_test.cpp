@@ -96,6 +96,7 @@ TEST(OwnControllerStudy, TunesWhatAMapBindsToGains) {
                    "elbow: joint_impedance_d/elbow_joint}\njoint_impedance_d: 12\n");
   EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }), HasSubstr("--rate"));
   inputs.rate = 500.0;
+  inputs.max_stiffness = {1500.0};
   const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
   EXPECT_THAT(files.notes,
               Contains(AllOf(HasSubstr("own.yaml"), HasSubstr("shoulder_pan_joint, shoulder_lift"))));

@@ -77,7 +77,8 @@ TEST(PositionStreamingLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegrati
         tau = limited[0];
       }
 
-      if (begins && k / 4 >= delay) commanded = plan.at(static_cast<double>(k / 4 - delay) * kPeriod).position[0];
+      if (begins && k / 4 >= delay)
+        commanded = plan.at(static_cast<double>(k / 4 - delay) * kPeriod).position[0];
       if (begins) held = weight(q);
       const double from = servo;
       for (int part = 0; part < 8; ++part)
