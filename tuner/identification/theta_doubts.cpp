@@ -22,6 +22,10 @@ constexpr double kDead =
     0.05;  ///< share of the torque that the robot file needs; an arm may need a third of an estimated rotor's
 constexpr double kFileFails = 0.5;   ///< check_arm: least share of every torque unexplained by the robot file
 constexpr double kThetaFails = 0.1;  ///< check_arm: least share of some torque unexplained by theta
+constexpr double kVanished = 0.1;    ///< check_arm: share of a link's mass in the robot file
+constexpr double kGrownRotor =
+    6.0;  ///< check_arm: times the rotor inertia in the robot file, which may be an estimate
+constexpr int kRotor = 10;  ///< place of the rotor inertia among a joint's parameters
 
 std::string check_joint(const RobotModel& model, int joint, const Unexplained& rows, double noise,
                         const char* which) {
@@ -52,28 +56,84 @@ std::string check_channel(const RobotModel& model, int joint, const Unexplained&
       effort.name, info.name, rows.torque[joint], effort.unit, needed);
 }
 
-/// Returns a doubt if the log may be of another arm. The geometry of another arm causes torques that no
-/// masses explain.
-std::string check_arm(const RobotModel& model, const Identification& found) {
-  const Unexplained& rows = found.fitted;
-  double least = 1.0, worst = 0.0;
-  int at = -1;
-  for (int j = 0; j < model.n(); ++j) {
+/// The joint of which theta leaves the largest share of the torque unexplained; -1: none.
+struct Worst {
+  int joint = -1;
+  double share = 0.0;
+};
+
+Worst worst_by_theta(const RobotModel& model, const Unexplained& rows, const Identification& found) {
+  Worst worst;
+  for (int j = 0; rows.rows > 0 && j < model.n(); ++j) {
     if (rows.torque[j] < kLeastTorque * model.joints[static_cast<std::size_t>(j)].limits.effort) continue;
-    least = std::min(least, rows.by_file[j] / rows.torque[j]);
     const double left =
         std::sqrt(std::max(0.0, std::pow(rows.by_theta[j], 2) - std::pow(found.torque_noise[j], 2)));
-    if (left <= worst * rows.torque[j]) continue;
-    worst = left / rows.torque[j];
-    at = j;
+    if (left > worst.share * rows.torque[j]) worst = {j, left / rows.torque[j]};
   }
-  if (at < 0 || least < kFileFails || worst < kThetaFails) return {};
-  return fmt::format(
-      "the parameters of the robot file leave {:.0f} % or more of every joint's {} unexplained, and the "
-      "identified ones still leave {:.0f} % of {}; the log may be of another arm: check --robot. A robot file "
-      "without real masses looks like this too, if friction is not as armtune models it",
-      100.0 * least, effort_word_of_all(model, &EffortWords::name), 100.0 * worst,
-      model.joints[static_cast<std::size_t>(at)].name);
+  return worst;
+}
+
+int mass_index(int /*n*/, int link) {
+  return link * kLinkParameters;
+}
+
+/// The first of a joint's parameters.
+int rotor_index(int n, int joint) {
+  return joint_parameter_index(n, joint);
+}
+
+/// Returns the joint or link whose entry of theta has the largest ratio to the robot file's, or the smallest
+/// if smallest is true. index(n, i): place of this entry in theta. Entries that are zero in the file do not
+/// count; -1: none counts.
+int extreme_ratio(const RobotModel& model, const Identification& found, int (*index)(int, int), bool smallest,
+                  double& ratio) {
+  const ParameterVector file = theta_of(model.chain);
+  int at = -1;
+  for (int i = 0; i < model.n(); ++i) {
+    const int k = index(model.n(), i);
+    if (!(file[k] > 0.0)) continue;
+    const double own = found.theta[k] / file[k];
+    if (at >= 0 && (smallest ? own >= ratio : own <= ratio)) continue;
+    ratio = own;
+    at = i;
+  }
+  return at;
+}
+
+/// Returns a doubt if the log may be of another arm: the robot file explains no torque, and theta does not
+/// explain all either, because the geometry of another arm causes torques that no masses explain, or it
+/// explains them by links that weigh next to nothing or by rotors that are far too heavy.
+std::string check_arm(const RobotModel& model, const Identification& found) {
+  double least = 1.0;
+  bool any = false;
+  for (int j = 0; j < model.n(); ++j) {
+    const Unexplained& rows = found.fitted;
+    if (rows.torque[j] < kLeastTorque * model.joints[static_cast<std::size_t>(j)].limits.effort) continue;
+    least = std::min(least, rows.by_file[j] / rows.torque[j]);
+    any = true;
+  }
+  if (!any || least < kFileFails) return {};
+  const std::string fails =
+      fmt::format("the parameters of the robot file leave {:.0f} % or more of every joint's {} unexplained",
+                  100.0 * least, effort_word_of_all(model, &EffortWords::name));
+  constexpr const char* kAdvice =
+      "; the log may be of another arm: check --robot. A robot file without real masses looks like this too, if "
+      "friction is not as armtune models it";
+  const Worst fitted = worst_by_theta(model, found.fitted, found);
+  const Worst held = worst_by_theta(model, found.held_out, found);
+  const Worst& worst = held.share > fitted.share ? held : fitted;
+  if (worst.joint >= 0 && worst.share >= kThetaFails)
+    return fmt::format("{}, and the identified ones still leave {:.0f} % of {}{}{}", fails,
+                       100.0 * worst.share, model.joints[static_cast<std::size_t>(worst.joint)].name,
+                       &worst == &held ? " on the rows held out of the fit" : "", kAdvice);
+  double ratio = 1.0;
+  if (const int link = extreme_ratio(model, found, mass_index, true, ratio); link >= 0 && ratio < kVanished)
+    return fmt::format("{}, and with the identified ones {} weighs only {:.2g} of what the file gives{}",
+                       fails, model.joints[static_cast<std::size_t>(link)].link, ratio, kAdvice);
+  const int joint = extreme_ratio(model, found, rotor_index, false, ratio);
+  if (joint < 0 || ratio < kGrownRotor) return {};
+  return fmt::format("{}, and the identified rotor inertia of {} is {:.2g} times that of the file{}", fails,
+                     model.joints[static_cast<std::size_t>(joint)].name, ratio, kAdvice);
 }
 
 }  // namespace

@@ -91,6 +91,28 @@ TEST_F(ThetaDoubts, ALogThatNeitherParametersExplainMayBeOfAnotherArm) {
   EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
 }
 
+TEST_F(ThetaDoubts, AnotherArmAlsoShowsOnHeldOutRowsAndInLinksThatWeighNothing) {
+  found_.fitted.by_file = 0.6 * found_.fitted.torque;
+  found_.held_out.by_theta[2] = 0.14 * found_.held_out.torque[2];
+  EXPECT_THAT(theta_doubts(model_, found_),
+              ElementsAre(AllOf(HasSubstr("another arm"), HasSubstr("14 %"), HasSubstr("held out"))));
+  found_ = plausible(model_);
+  found_.theta[5 * kLinkParameters] *= 0.02;
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty()) << "the robot file explains the log";
+  found_.fitted.by_file = 0.6 * found_.fitted.torque;
+  EXPECT_THAT(
+      theta_doubts(model_, found_),
+      ElementsAre(AllOf(HasSubstr("another arm"), HasSubstr(model_.joints[5].link), HasSubstr("0.02"))));
+  found_.theta[5 * kLinkParameters] *= 10.0;
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
+  found_.theta[joint_parameter_index(model_.n(), 2)] *= 5.0;
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty()) << "an estimated rotor inertia may be wrong";
+  found_.theta[joint_parameter_index(model_.n(), 2)] *= 2.0;
+  EXPECT_THAT(
+      theta_doubts(model_, found_),
+      ElementsAre(AllOf(HasSubstr("another arm"), HasSubstr(model_.joints[2].name), HasSubstr("10 times"))));
+}
+
 TEST_F(ThetaDoubts, MassesThatAreNotTheRobotFilesAreNamed) {
   double arm = 0.0;
   for (int i = 0; i < model_.n(); ++i) arm += found_.theta[i * kLinkParameters];
