@@ -25,7 +25,6 @@ constexpr double kThetaFails = 0.1;  ///< check_arm: least share of some torque 
 constexpr double kVanished = 0.1;    ///< check_arm: share of a link's mass in the robot file
 constexpr double kGrownRotor =
     6.0;  ///< check_arm: times the rotor inertia in the robot file, which may be an estimate
-constexpr int kRotor = 10;  ///< place of the rotor inertia among a joint's parameters
 
 std::string check_joint(const RobotModel& model, int joint, const Unexplained& rows, double noise,
                         const char* which) {
