@@ -54,7 +54,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
     const MotionPoint<JointVector> desired = desired_.next(in);
     const bool ahead = in.control.state == ControlState::kFollowPlan && !feeds_forward_.isZero(0.0);
     JointVector next = ahead ? in.scene.plan->at(in.time + period_).velocity : desired.velocity;
-    if (ahead && in.time + period_ > in.scene.plan->end()) next.setZero();
+    if (ahead && in.scene.holds_plan && in.time + period_ > in.scene.plan->end()) next.setZero();
     command_.resize(feeds_forward_.size());
     for (Eigen::Index i = 0; i < command_.size(); ++i) {
       const auto k = static_cast<std::size_t>(i);
