@@ -86,8 +86,8 @@ void write_new_text_file(const std::string& path, std::string_view text) {
   refuse_existing(path);
   const std::string partial = write_partial(path, text);
   bool placed = ::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) == 0;
-  // Some file systems have no RENAME_NOREPLACE. A link does not replace a file either, but some have no
-  // links.
+  // Some file systems have no RENAME_NOREPLACE. There a link is made instead, which does not replace a file
+  // either. File systems without links answer EPERM; only there a file that appears at this moment is lost.
   if (!placed && (errno == EINVAL || errno == ENOSYS))
     placed = ::link(partial.c_str(), path.c_str()) == 0 && ::unlink(partial.c_str()) == 0;
   if (!placed && errno == EPERM) placed = std::rename(partial.c_str(), path.c_str()) == 0;

@@ -16,7 +16,7 @@ namespace armtune::internal {
 struct PlannedFile {
   UserTable table;
   bool as_ros = false;  ///< true: interpolated as in the controllers of ROS (ros_segments.hpp)
-  double speed = 1.0;   ///< factor on the speed of the motion: 0.5 doubles all times
+  double speed = 1.0;   ///< factor on the speed; 0.5 doubles the time after the first point
 };
 
 /// Reads a node that names the file of a planned motion: the file's name alone, or a map {file, units: {time,

@@ -55,7 +55,7 @@ std::string check_channel(const RobotModel& model, int joint, const Unexplained&
       effort.name, info.name, rows.torque[joint], effort.unit, needed);
 }
 
-/// The joint of which theta leaves the largest share of the torque unexplained; -1: none.
+/// The joint whose torque theta explains worst (-1: none), and the unexplained share of that torque.
 struct Worst {
   int joint = -1;
   double share = 0.0;

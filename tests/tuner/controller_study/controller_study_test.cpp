@@ -15,6 +15,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/tuner/support/joint_trajectory_example.hpp"
 #include "tuner/controller_study/controller_rate.hpp"
 #include "tuner/session/study_files.hpp"
 #include "tuner/session/tune_files.hpp"
@@ -30,11 +31,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
-const std::string kExample = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/";
-
-ControllerStudyInputs example() {
-  return {"ur5e", kExample + "ros2_controllers.yaml", "", {kExample + "moves.csv"}};
-}
+using test::example;
+using test::kExample;
 
 /// The example's parameters with one text in place of another.
 std::string changed(const std::string& from, const std::string& to) {

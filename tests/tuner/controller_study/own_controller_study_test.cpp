@@ -11,6 +11,7 @@
 #include "sim/controller_files/controller_gains.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/tuner/support/joint_trajectory_example.hpp"
 #include "tuner/controller_study/controller_in_file.hpp"
 #include "tuner/controller_study/controller_study.hpp"
 #include "tuner/session/study_files.hpp"
@@ -25,11 +26,8 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
-const std::string kExample = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/";
-
-ControllerStudyInputs example() {
-  return {"ur5e", kExample + "ros2_controllers.yaml", "", {kExample + "moves.csv"}};
-}
+using test::example;
+using test::kExample;
 
 // Without a parameter file the start gains are computed from the arm, and the rate must be given.
 TEST(OwnControllerStudy, StartsWithGainsOfItsOwnWithoutAParameterFile) {
