@@ -178,7 +178,7 @@ class Passes {
 Unexplained unexplained(const TorqueMoments& moments, const BaseParameters& base,
                         const ParameterVector& theta, const ParameterVector& file_theta) {
   return {moments.count(), moments.torque_rms(), moments.residual_rms(base.map * theta),
-          moments.residual_rms(base.map * file_theta)};
+          moments.residual_rms(base.map * file_theta), moments.predicted_rms(base.map * file_theta)};
 }
 
 }  // namespace

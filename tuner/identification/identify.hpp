@@ -30,6 +30,7 @@ struct Unexplained {
   Eigen::VectorXd torque;    ///< RMS of the filtered torque itself
   Eigen::VectorXd by_theta;  ///< RMS of the part that the identified theta leaves unexplained
   Eigen::VectorXd by_file;   ///< RMS of the part that the unchanged robot file leaves unexplained
+  Eigen::VectorXd file;      ///< RMS of the torque that the unchanged robot file predicts
 };
 
 struct Identification {

@@ -26,6 +26,12 @@ Eigen::VectorXd TorqueMoments::torque_rms() const {
   return rms(Eigen::VectorXd::Unit(moments_.front().cols(), moments_.front().cols() - 1));
 }
 
+Eigen::VectorXd TorqueMoments::predicted_rms(const Eigen::VectorXd& theta_base) const {
+  Eigen::VectorXd combination(theta_base.size() + 1);
+  combination << theta_base, 0.0;
+  return rms(combination);
+}
+
 Eigen::VectorXd TorqueMoments::residual_rms(const Eigen::VectorXd& theta_base) const {
   Eigen::VectorXd combination(theta_base.size() + 1);
   combination << -theta_base, 1.0;

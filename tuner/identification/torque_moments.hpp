@@ -19,6 +19,8 @@ class TorqueMoments {
   long count() const { return count_; }
   /// Returns the RMS of the torque of every joint (n) [N m, N]; zeros without rows.
   Eigen::VectorXd torque_rms() const;
+  /// Returns the RMS of Y_base theta_base of every joint (n) [N m, N]; zeros without rows.
+  Eigen::VectorXd predicted_rms(const Eigen::VectorXd& theta_base) const;
   /// Returns the RMS of tau - Y_base theta_base of every joint (n) [N m, N]; zeros without rows. Rounding
   /// errors are about 1e-8 of the torque.
   Eigen::VectorXd residual_rms(const Eigen::VectorXd& theta_base) const;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
@@ -24,6 +26,7 @@ Identification plausible(const RobotModel& model) {
     rows->torque = 0.1 * model.effort_limits();
     rows->by_theta = 0.05 * rows->torque;
     rows->by_file = 0.3 * rows->torque;
+    rows->file = rows->torque;
   }
   return found;
 }
@@ -67,6 +70,7 @@ TEST_F(ThetaDoubts, NoiseAndTorquesNextToNothingDoNotCount) {
   found_.fitted.torque[3] = found_.held_out.torque[3] = 1e-3 * model_.effort_limits()[3];
   found_.fitted.by_theta[3] = found_.held_out.by_theta[3] = 0.99 * found_.fitted.torque[3];
   found_.fitted.by_file[3] = found_.held_out.by_file[3] = 0.99 * found_.fitted.torque[3];
+  found_.fitted.file[3] = found_.held_out.file[3] = found_.fitted.torque[3];
   EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
 }
 
@@ -111,6 +115,25 @@ TEST_F(ThetaDoubts, AnotherArmAlsoShowsOnHeldOutRowsAndInLinksThatWeighNothing) 
   EXPECT_THAT(
       theta_doubts(model_, found_),
       ElementsAre(AllOf(HasSubstr("another arm"), HasSubstr(model_.joints[2].name), HasSubstr("10 times"))));
+}
+
+TEST_F(ThetaDoubts, AnArmThatIsMuchLighterThanTheRobotFilesIsNamed) {
+  // Joint 1 bears a good part of its limit. Its torque is a share of the predicted one, and a part that does
+  // not follow it.
+  const auto scaled = [this](double share, double other) {
+    found_ = plausible(model_);
+    Unexplained& rows = found_.fitted;
+    rows.file[1] = 0.3 * model_.effort_limits()[1];
+    rows.torque[1] = std::hypot(share, other) * rows.file[1];
+    rows.by_file[1] = std::hypot(1.0 - share, other) * rows.file[1];
+    rows.by_theta[1] = 0.05 * rows.torque[1];
+    return theta_doubts(model_, found_);
+  };
+  EXPECT_THAT(scaled(0.5, 0.2), ElementsAre(AllOf(HasSubstr("lighter arm"), HasSubstr(model_.joints[1].name),
+                                                  HasSubstr("0.5 times"))));
+  EXPECT_THAT(scaled(0.65, 0.2), IsEmpty()) << "a robot file may be that wrong";
+  EXPECT_THAT(scaled(0.5, 0.45), IsEmpty()) << "the torque does not follow the predicted one";
+  EXPECT_THAT(scaled(2.0, 0.2), IsEmpty()) << "a payload";
 }
 
 TEST_F(ThetaDoubts, MassesThatAreNotTheRobotFilesAreNamed) {
