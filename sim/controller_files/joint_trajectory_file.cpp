@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "armtune/error.hpp"
@@ -22,6 +25,11 @@ namespace {
 using yaml::PlacedValue;
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+constexpr double kNoClamp = 1e6;  // N m, N, rad/s, m/s: more than any joint can reach, so no clamp
+
+/// The values of antiwindup_strategy, from 1 on in the order of the numbers of the gain jtc_antiwindup.
+constexpr std::array<std::string_view, 4> kStrategies = {"legacy", "none", "conditional_integration",
+                                                         "back_calculation"};
 
 /// Reads the parameters of a controller and its joints, and refuses those that armtune cannot simulate.
 class Reader : public JointParameters {
@@ -113,22 +121,19 @@ class Reader : public JointParameters {
                        joint, lower, upper));
     }
     if (std::isfinite(upper)) return std::abs(upper);
-    const bool said = of_joint(joint, "i_clamp") != nullptr || of_joint(joint, "i_clamp_max") != nullptr;
+    // A file with a strategy is for ROS 2 Jazzy or later, which clamps nothing by default.
+    const bool said = of_joint(joint, "i_clamp") != nullptr || of_joint(joint, "i_clamp_max") != nullptr ||
+                      of_joint(joint, "antiwindup_strategy") != nullptr;
     if (of_joint(joint, "i", 0.0) != 0.0 && !said) {
       fail(line,
            fmt::format("{} has an i but no i_clamp; ROS 1 and ROS 2 Humble then clamp the integral to 0, and "
                        "Jazzy does not clamp it. Give i_clamp; .inf means no clamp",
                        joint));
     }
-    return 1e6;  // N m, N, rad/s, m/s: more than any joint can reach, so no clamp
+    return kNoClamp;
   }
 
-  void refuse_limits_of_output(const std::string& joint) const {
-    if (const PlacedValue* deadband = of_joint(joint, "error_deadband")) {
-      if (number(*deadband, "error_deadband") != 0.0)
-        fail(deadband->line,
-             fmt::format("armtune does not simulate the error_deadband of {}; set it to 0", joint));
-    }
+  void refuse_wraparound(const std::string& joint) const {
     if (const PlacedValue* wraps = of_joint(joint, "angle_wraparound")) {
       if (wraps->text == "true" || wraps->text == "True")
         fail(wraps->line,
@@ -136,23 +141,38 @@ class Reader : public JointParameters {
                          "without limits takes the short way round in any case)",
                          joint));
     }
-    for (const char* key : {"u_clamp_max", "u_clamp_min"}) {
-      const PlacedValue* value = of_joint(joint, key);
-      if (value == nullptr || !std::isfinite(number(*value, key))) continue;
-      fail(value->line,
-           fmt::format("armtune does not simulate the {} of {}; remove it from the file: the joint's own "
-                       "limit then bounds the command",
-                       key, joint));
-    }
   }
 
-  /// Returns 1 if the integral itself is clamped, and 0 if only its contribution to the command is.
+  /// Returns the sizes of the bounds of the output, for the largest and for the smallest output. Throws
+  /// InputError if the range between them does not contain 0.
+  std::pair<double, double> output_clamps(const std::string& joint) const {
+    const double upper = of_joint(joint, "u_clamp_max", kUnbounded);
+    const double lower = of_joint(joint, "u_clamp_min", -kUnbounded);
+    if (upper < 0.0 || lower > 0.0)
+      fail(controller().parameters->find("gains")->line,
+           fmt::format("the output of {} is clamped to [{}, {}]; this range must contain 0", joint, lower,
+                       upper));
+    return {std::min(upper, kNoClamp), std::min(-lower, kNoClamp)};
+  }
+
+  /// Returns a number that may not be negative; 0 if the file does not give it.
+  double not_negative(const std::string& joint, const char* key) const {
+    const PlacedValue* value = of_joint(joint, key);
+    if (value == nullptr) return 0.0;
+    const double given = finite(*value, fmt::format("gains/{}/{}", joint, key));
+    if (given < 0.0)
+      fail(value->line, fmt::format("{} of {} is {}; it may not be negative", key, joint, given));
+    return given;
+  }
+
+  /// Returns the number of the kind of anti-windup (gain jtc_antiwindup).
   double anti_windup(const std::string& joint) const {
     if (const PlacedValue* strategy = of_joint(joint, "antiwindup_strategy")) {
-      if (strategy->text != "legacy")
-        fail(strategy->line,
-             fmt::format("armtune simulates antiwindup_strategy 'legacy', not {}", shown(strategy->text)));
-      return 1.0;
+      const auto* const found = std::find(kStrategies.begin(), kStrategies.end(), strategy->text);
+      if (found == kStrategies.end())
+        fail(strategy->line, fmt::format("antiwindup_strategy of {} is {}; expected one of {}", joint,
+                                         shown(strategy->text), fmt::join(kStrategies, ", ")));
+      return 1.0 + static_cast<double>(found - kStrategies.begin());
     }
     if (controller().ros2) return 1.0;
     const PlacedValue* given = of_joint(joint, "antiwindup");
@@ -187,12 +207,17 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
     const PlacedValue* forward = reader.feed_forward(joint);
     jtc_gain(gains, "ff_velocity_scale")[k] =
         forward == nullptr ? 0.0 : reader.finite(*forward, "feed-forward of " + joint);
-    reader.refuse_limits_of_output(joint);
+    reader.refuse_wraparound(joint);
+    std::tie(jtc_gain(gains, "u_clamp_max")[k], jtc_gain(gains, "u_clamp_min")[k]) =
+        reader.output_clamps(joint);
+    jtc_gain(gains, "tracking_time")[k] = reader.not_negative(joint, "tracking_time_constant");
+    jtc_gain(gains, "error_deadband")[k] = reader.not_negative(joint, "error_deadband");
     const double own_anti_windup = reader.anti_windup(joint);
     if (anti_windup && *anti_windup != own_anti_windup) {
-      reader.fail(controller.parameters->find("gains")->line,
-                  "some joints have anti-windup and others do not; give all joints the same setting, because "
-                  "armtune cannot simulate a mixture");
+      reader.fail(
+          controller.parameters->find("gains")->line,
+          "not all joints have the same anti-windup; give all joints the same setting, because armtune "
+          "cannot simulate a mixture");
     }
     anti_windup = own_anti_windup;
   }

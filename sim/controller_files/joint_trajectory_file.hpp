@@ -16,9 +16,9 @@ namespace armtune::internal {
 ///   - the file lacks a joint of the arm or has a joint that the arm lacks, or a value is not a number,
 ///   - the controller's commands are neither efforts alone nor velocities alone,
 ///   - a parameter requires something that armtune does not simulate: an integral clamp that differs in the
-///     two directions, a limit of the output (u_clamp), anti-windup that depends on such a limit, anti-windup
-///     of some joints only, an error deadband, angle wraparound, or open-loop control by velocities,
-///   - a joint has an integral gain and no clamp, which ROS distributions treat differently.
+///     two directions, anti-windup of some joints only, angle wraparound, or open-loop control by velocities,
+///   - a joint has an integral gain and neither a clamp nor an antiwindup_strategy, which ROS distributions
+///     treat differently.
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);
 

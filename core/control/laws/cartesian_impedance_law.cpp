@@ -21,7 +21,8 @@ class CartesianImpedanceLaw final : public TorqueLaw {
   explicit CartesianImpedanceLaw(const LawSetup& setup)
       : TorqueLaw(setup),
         K_(own(setup.gains, "cartesian_impedance_k")),
-        D_(2.0 * own(setup.gains, "cartesian_impedance_damping_ratio").cwiseProduct(K_.cwiseSqrt())),
+        D_(own(setup.gains, "cartesian_impedance_damping") +
+           2.0 * own(setup.gains, "cartesian_impedance_damping_ratio").cwiseProduct(K_.cwiseSqrt())),
         nullspace_k_(own(setup.gains, "cartesian_impedance_nullspace_k")[0]),
         filter_(own(setup.gains, "cartesian_impedance_filter")[0]),
         rate_(setup.model.n(), own(setup.gains, "cartesian_impedance_torque_rate")[0], setup.period),
@@ -122,6 +123,12 @@ ControllerKind cartesian_impedance_controller() {
                                         "pose is not filtered",
                                         0.0));
   filter.below = 1.0;
+  GainField damping =
+      own_gain(kTask, "cartesian_impedance_damping", "N s/m, N m s",
+               "damping d of each axis of the task that does not follow from K; to give all damping as "
+               "numbers, set the ratio to 0",
+               0.0);
+  damping.search = SearchRange::kNone;  // most controllers have none
   return {kCartesianImpedance,
           "Cartesian impedance without feed-forward: g(q) + C q' - J^T (K e + D x') and a null space, as in "
           "the examples for Franka's arms",
@@ -129,7 +136,8 @@ ControllerKind cartesian_impedance_controller() {
           {own_gain(kTask, "cartesian_impedance_k", "N/m, N m",
                     "stiffness K of each axis of the task; rotations act on sin(angle / 2)", 200.0),
            root_in_loop(own_gain(kTask, "cartesian_impedance_damping_ratio", "",
-                                 "damping ratio r of each axis of the task, D = 2 r sqrt(K)", 1.0)),
+                                 "damping ratio r of each axis of the task, D = d + 2 r sqrt(K)", 1.0)),
+           damping,
            not_tuned(own_gain(kScalar, "cartesian_impedance_nullspace_k", "N m/rad",
                               "stiffness k of the joint motion that the task leaves free, towards the joint "
                               "positions at the start; its damping is 2 sqrt(k)",

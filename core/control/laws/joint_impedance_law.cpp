@@ -13,7 +13,8 @@ class JointImpedanceLaw final : public TorqueLaw {
   explicit JointImpedanceLaw(const LawSetup& setup)
       : TorqueLaw(setup),
         k_(own(setup.gains, "joint_impedance_k")),
-        d_(own(setup.gains, "joint_impedance_d")),
+        d_(own(setup.gains, "joint_impedance_d") +
+           2.0 * own(setup.gains, "joint_impedance_damping_ratio").cwiseProduct(k_.cwiseSqrt())),
         velocity_factor_(own(setup.gains, "joint_impedance_velocity_factor")[0]),
         coriolis_factor_(own(setup.gains, "joint_impedance_coriolis_factor")[0]),
         filter_(own(setup.gains, "joint_impedance_filter")[0]),
@@ -59,13 +60,17 @@ ControllerKind joint_impedance_controller() {
                                         "velocity is not filtered",
                                         0.01));
   filter.below = 1.0;
+  GainField ratio =
+      root_in_loop(own_gain(kJoints, "joint_impedance_damping_ratio", "",
+                            "damping ratio r of each joint: adds 2 r sqrt(k) to its damping d", 0.0));
+  ratio.search = SearchRange::kNone;  // most controllers have none
   return {
       kJointImpedance,
       "joint impedance: g(q) + k (qd - q) + d (qd' - q') for each joint along a joint trajectory, as in the "
       "examples for Franka's arms",
       {},
       {own_gain(kJoints, "joint_impedance_k", "N m/rad", "stiffness k of each joint", 100.0),
-       own_gain(kJoints, "joint_impedance_d", "N m s/rad", "damping d of each joint", 10.0),
+       own_gain(kJoints, "joint_impedance_d", "N m s/rad", "damping d of each joint", 10.0), ratio,
        not_tuned(own_gain(
            kScalar, "joint_impedance_velocity_factor", "",
            "share c of the desired velocity in the damping torque d (c qd' - q'); 1: damps the velocity "

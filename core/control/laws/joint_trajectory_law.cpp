@@ -16,14 +16,31 @@ constexpr double kIntegralRate = 1.0;  // 1/s, of P: an arm's weight is borne af
 constexpr double kNoClamp = 1e6;       // N m, N: beyond any joint
 constexpr double kOuterRate = 0.15;    // of a drive's, for the positions around it
 
-constexpr std::array kEffortGains = {
-    "jtc_p", "jtc_i", "jtc_d", "jtc_i_clamp", "jtc_ff_velocity_scale", "jtc_antiwindup"};
+constexpr std::array kEffortGains = {"jtc_p",
+                                     "jtc_i",
+                                     "jtc_d",
+                                     "jtc_i_clamp",
+                                     "jtc_ff_velocity_scale",
+                                     "jtc_antiwindup",
+                                     "jtc_tracking_time",
+                                     "jtc_error_deadband",
+                                     "jtc_u_clamp_max",
+                                     "jtc_u_clamp_min"};
 constexpr std::array kVelocityGains = {"jtc_velocity_p",
                                        "jtc_velocity_i",
                                        "jtc_velocity_d",
                                        "jtc_velocity_i_clamp",
                                        "jtc_velocity_ff_velocity_scale",
-                                       "jtc_velocity_antiwindup"};
+                                       "jtc_velocity_antiwindup",
+                                       "jtc_velocity_tracking_time",
+                                       "jtc_velocity_error_deadband",
+                                       "jtc_velocity_u_clamp_max",
+                                       "jtc_velocity_u_clamp_min"};
+static_assert(kEffortGains.size() == kVelocityGains.size());
+
+/// The kinds of anti-windup, in the order of the numbers in a gains file.
+constexpr std::array kAntiWindups = {AntiWindup::kOfContribution, AntiWindup::kOfIntegral, AntiWindup::kNone,
+                                     AntiWindup::kConditional, AntiWindup::kBackCalculation};
 
 class JointTrajectoryLaw final : public TorqueLaw {
  public:
@@ -36,7 +53,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
     if (setup.gains.controller == kJointTrajectoryVelocityController)
       drives_.emplace(setup.model, setup.period, setup.drives);
     const JointVector& clamp = jtc_gain(setup.gains, "i_clamp");
-    const bool winds_up = jtc_gain(setup.gains, "antiwindup")[0] == 0.0;
+    const auto anti_windup = static_cast<std::size_t>(jtc_gain(setup.gains, "antiwindup")[0]);
     for (int i = 0; i < setup.model.n(); ++i) {
       RosPidGains& gains = gains_[static_cast<std::size_t>(i)];
       gains.p = jtc_gain(setup.gains, "p")[i];
@@ -44,7 +61,11 @@ class JointTrajectoryLaw final : public TorqueLaw {
       gains.d = jtc_gain(setup.gains, "d")[i];
       gains.i_max = clamp[i];
       gains.i_min = -clamp[i];
-      gains.anti_windup = winds_up ? AntiWindup::kOfContribution : AntiWindup::kOfIntegral;
+      gains.u_max = jtc_gain(setup.gains, "u_clamp_max")[i];
+      gains.u_min = -jtc_gain(setup.gains, "u_clamp_min")[i];
+      gains.anti_windup = kAntiWindups[anti_windup];
+      gains.tracking_time = jtc_gain(setup.gains, "tracking_time")[i];
+      gains.deadband = jtc_gain(setup.gains, "error_deadband")[i];
       const auto k = static_cast<std::size_t>(i);
       turns_[k] = !setup.model.joints[k].limits.has_position;
     }
@@ -95,6 +116,13 @@ std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*
   constexpr auto kJoints = GainShape::kJoints;
   const bool effort = std::string_view(kind) == kJointTrajectoryController;
   const char* const* names = effort ? kEffortGains.data() : kVelocityGains.data();
+  GainField anti_windup = not_tuned(own_gain(
+      GainShape::kScalar, names[5], "",
+      "anti-windup: with 1 (ROS: legacy) the integral itself stops at i_clamp; with 0 it keeps growing, and "
+      "only its contribution to the command is clamped; 2: none, 3: conditional_integration, 4: "
+      "back_calculation, as ROS 2 Jazzy has them",
+      1.0));
+  anti_windup.below = kAntiWindups.size();
   return {
       own_gain(kJoints, names[0], units[0], "p on the position error of each joint", p),
       own_gain(kJoints, names[1], units[1], "i on the integral of each joint's position error", 0.0),
@@ -108,10 +136,21 @@ std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*
                                 : "ff_velocity_scale: share of the desired velocity that is added to the "
                                   "command",
                          effort ? 0.0 : 1.0)),
-      not_tuned(own_gain(GainShape::kScalar, names[5], "",
-                         "anti-windup: with 1 the integral itself stops at i_clamp; with 0 it keeps growing, "
-                         "and only its contribution to the command is clamped",
-                         1.0))};
+      anti_windup,
+      not_tuned(own_gain(kJoints, names[6], "s",
+                         "tracking_time_constant of back_calculation; 0: sqrt(d / i), or p / i without d",
+                         0.0)),
+      not_tuned(own_gain(kJoints, names[7], "rad",
+                         "error_deadband: position errors up to this leave the integral unchanged", 0.0)),
+      not_tuned(
+          own_gain(kJoints, names[8], units[3],
+                   "u_clamp_max: largest command, without the feed-forward; the default is too large to "
+                   "have an effect",
+                   kNoClamp)),
+      not_tuned(own_gain(kJoints, names[9], units[3],
+                         "size of u_clamp_min, which is negative: the smallest command, without the "
+                         "feed-forward",
+                         kNoClamp))};
 }
 
 std::unique_ptr<TorqueLaw> make_law(const LawSetup& setup) {

@@ -1,8 +1,7 @@
 #pragma once
 // The PID of one joint as in ROS's control_toolbox: branch `humble` (3.7) and branch `jazzy` (4.11, of 6 May
-// 2026). A controller's parameter file can choose between two kinds of anti-windup: a limit of the integral's
-// contribution to the command (kOfContribution), and a limit of the integral itself (kOfIntegral). armtune
-// refuses a file that chooses another kind, or that limits the output by u_clamp_max or u_clamp_min.
+// 2026), with all kinds of anti-windup that a controller's parameter file can choose, and limits of the
+// output.
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <random>
+#include <vector>
 
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/task_resolution.hpp"
@@ -24,8 +26,12 @@ class Period {
       : model(robot), mask(task_mask), generator_(seed), theta_(theta_of(robot.chain)) {
     const int n = model.n();
     change_controller(gains, kind, n);
-    for (JointVector& own : gains.own)
+    const std::vector<GainField>& fields = controller_kind(kind).own;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      JointVector& own = gains.own[i];
       own = random_vector(generator_, static_cast<int>(own.size()), 50.0).cwiseAbs();
+      if (std::isfinite(fields[i].below)) own.setConstant(fields[i].otherwise);  // shares and choices
+    }
     Kd = random_vector(generator_, n, 50.0).cwiseAbs();
     law = controller_kind(kind).make({model, gains, theta_, period, mask});
     move();

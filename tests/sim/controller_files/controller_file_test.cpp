@@ -51,8 +51,10 @@ TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
       AllOf(HasSubstr("f.yaml:3:"), HasSubstr("open_loop_control")));
   EXPECT_THAT(refused(with_j1("p: 1.0, i: 2.0"), j1), AllOf(HasSubstr("f.yaml:6:"), HasSubstr("no i_clamp")));
   EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp_max: 2.0, i_clamp_min: -1.0"), j1), HasSubstr("[-1, 2]"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, u_clamp_max: 2.0"), j1), HasSubstr("u_clamp_max of j1"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, antiwindup_strategy: none"), j1), HasSubstr("'legacy'"));
+  EXPECT_THAT(refused(with_j1("p: 1.0, u_clamp_max: -2.0"), j1),
+              HasSubstr("output of j1 is clamped to [-inf, -2]"));
+  EXPECT_THAT(refused(with_j1("p: 1.0, antiwindup_strategy: nothing"), j1),
+              AllOf(HasSubstr("antiwindup_strategy of j1"), HasSubstr("back_calculation")));
   EXPECT_THAT(refused(with_j1("p: \"1.0\""), j1),
               AllOf(HasSubstr("gains/j1/p"), HasSubstr("expected a plain number")));
   EXPECT_THAT(refused(with_j1("p: .inf"), j1), HasSubstr("gains/j1/p is .inf; expected a finite number"));
@@ -96,10 +98,34 @@ TEST(ControllerFile, IsReadAsRosReadsIt) {
   EXPECT_THAT(refused(ros1("p: 3e2"), j1), HasSubstr("point before an exponent"));
   EXPECT_THAT(refused(ros1("p: 010"), j1), HasSubstr("leading zeros"));
   EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp: -4.0"), j1), HasSubstr("must contain 0"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, error_deadband: 0.1"), j1), HasSubstr("error_deadband of j1"));
+  EXPECT_THAT(refused(with_j1("p: 1.0, error_deadband: -0.1"), j1), HasSubstr("error_deadband of j1"));
   EXPECT_THAT(refused(with_j1("p: 1.0, angle_wraparound: true"), j1), HasSubstr("angle_wraparound of j1"));
   EXPECT_THAT(refused("c:\n  ros__parameters:\n    joints: [j1]\n    gains: {j1: {p: 2.0}}\n", j1),
               HasSubstr("command_interfaces is missing"));
+}
+
+TEST(ControllerFile, LimitsOfTheOutputAndStrategiesOfAntiWindupAreRead) {
+  const auto read = [](const std::string& text) {
+    return joint_trajectory_gains(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml",
+                                  {"j1"});
+  };
+  const Gains given = read(
+      with_j1("p: 1.0, i: 2.0, u_clamp_max: 7.0, u_clamp_min: -3.0, antiwindup_strategy: back_calculation, "
+              "tracking_time_constant: 0.4, error_deadband: 0.01"));
+  EXPECT_EQ(own(given, "jtc_u_clamp_max")[0], 7.0);
+  EXPECT_EQ(own(given, "jtc_u_clamp_min")[0], 3.0);
+  EXPECT_EQ(own(given, "jtc_tracking_time")[0], 0.4);
+  EXPECT_EQ(own(given, "jtc_error_deadband")[0], 0.01);
+  EXPECT_EQ(own(given, "jtc_i_clamp")[0], 1e6) << "a strategy is of Jazzy, which clamps nothing by default";
+  double number = 1.0;
+  for (const char* strategy : {"legacy", "none", "conditional_integration", "back_calculation"}) {
+    const Gains gains = read(with_j1(fmt::format("p: 1.0, antiwindup_strategy: {}", strategy)));
+    EXPECT_EQ(own(gains, "jtc_antiwindup")[0], number++) << strategy;
+  }
+  const Gains none = read(with_j1("p: 1.0, u_clamp_max: .inf", "velocity"));
+  EXPECT_EQ(own(none, "jtc_velocity_u_clamp_max")[0], 1e6);
+  EXPECT_EQ(own(none, "jtc_velocity_u_clamp_min")[0], 1e6);
+  EXPECT_EQ(own(none, "jtc_velocity_error_deadband")[0], 0.0);
 }
 
 // Node names may come several times, as in Franka's fr3_ros_controllers.yaml, which ROS 2 reads.

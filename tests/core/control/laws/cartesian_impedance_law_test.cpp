@@ -53,7 +53,9 @@ TEST(CartesianImpedanceLaw, IsASpringAndADamperOfTheToolAndOfTheFreeMotion) {
   constexpr double kFree = 7.0;
   for (const auto& [model, mask] : test::arms_and_tasks()) {
     Period p(model, "cartesian_impedance", 81, mask);
+    own(p.gains, "cartesian_impedance_damping") << 3.0, 5.0, 7.0, 0.3, 0.5, 0.7;
     set_options(p, kFree, 0.0, 0.0);
+    const Vec6 damping = own(p.gains, "cartesian_impedance_damping");
     const Vec6 K = own(p.gains, "cartesian_impedance_k");
     const Vec6 ratio = own(p.gains, "cartesian_impedance_damping_ratio");
     const JointVector posture = p.measured.q;
@@ -63,7 +65,7 @@ TEST(CartesianImpedanceLaw, IsASpringAndADamperOfTheToolAndOfTheFreeMotion) {
       Vec6 e = p.control.errors.pose;
       e.tail<3>() *= std::sin(0.5 * e.tail<3>().norm()) / e.tail<3>().norm();
       Vec6 D;
-      for (int i = 0; i < 6; ++i) D[i] = 2.0 * ratio[i] * std::sqrt(K[i]);
+      for (int i = 0; i < 6; ++i) D[i] = damping[i] + 2.0 * ratio[i] * std::sqrt(K[i]);
       const Eigen::VectorXd force = P * (K.asDiagonal() * P * e + D.asDiagonal() * P * p.arm.twist);
       const Eigen::VectorXd free = kFree * (posture - p.measured.q) - 2.0 * std::sqrt(kFree) * p.measured.qd;
       const Eigen::VectorXd wanted = Eigen::VectorXd(rigid(model, p.arm.poses, p.measured.qd)) -
@@ -114,6 +116,7 @@ TEST(CartesianImpedanceLaw, GivesTheTorquesThatFollowFromTheSourceOfFrankasExamp
       own(p.gains, "cartesian_impedance_k").head<3>().setConstant(translational);
       own(p.gains, "cartesian_impedance_k").tail<3>().setConstant(rotational);
       own(p.gains, "cartesian_impedance_damping_ratio").setOnes();
+      own(p.gains, "cartesian_impedance_damping").setZero();
       own(p.gains, "cartesian_impedance_nullspace_k")[0] = free;
       own(p.gains, "cartesian_impedance_filter")[0] = 1.0 - share;
       own(p.gains, "cartesian_impedance_torque_rate")[0] = largest_step / Period::period;

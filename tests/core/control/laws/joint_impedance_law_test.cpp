@@ -44,6 +44,8 @@ JointVector coriolis(const RobotModel& model, const Poses& poses, const JointVec
 TEST(JointImpedanceLaw, IsASpringAndADamperOfEachJointOnTopOfTheWeight) {
   for (const RobotModel& model : test::all_arms()) {
     Period p(model, "joint_impedance", 71);
+    constexpr double kRatio = 0.6;
+    own(p.gains, "joint_impedance_damping_ratio").setConstant(kRatio);
     set_options(p, 0.0);
     const JointVector k = own(p.gains, "joint_impedance_k"), d = own(p.gains, "joint_impedance_d");
     JointVector reference = p.measured.q, velocity = JointVector::Zero(model.n());
@@ -57,7 +59,8 @@ TEST(JointImpedanceLaw, IsASpringAndADamperOfEachJointOnTopOfTheWeight) {
       for (int i = 0; i < model.n(); ++i) {
         EXPECT_NEAR(tau[i],
                     weight[i] + kFactor * turning[i] + k[i] * (reference[i] - p.measured.q[i]) +
-                        d[i] * (kVelocity * p.control.reference.velocity[i] - velocity[i]),
+                        (d[i] + 2.0 * kRatio * std::sqrt(k[i])) *
+                            (kVelocity * p.control.reference.velocity[i] - velocity[i]),
                     1e-9 * (1.0 + tau.cwiseAbs().maxCoeff()))
             << p.where() << ", joint " << i << ", period " << period;
       }
@@ -70,8 +73,10 @@ TEST(JointImpedanceLaw, IsASpringAndADamperOfEachJointOnTopOfTheWeight) {
 TEST(JointImpedanceLaw, ItsCommandBeginsAtZeroAndChangesNoFasterThanItsRate) {
   for (const RobotModel& model : test::all_arms()) {
     Period free(model, "joint_impedance", 72), bound(model, "joint_impedance", 72);
+    own(free.gains, "joint_impedance_damping_ratio").setZero();
+    own(bound.gains, "joint_impedance_damping_ratio").setZero();
     set_options(free, 0.0);
-    constexpr double kRate = 2000.0;
+    constexpr double kRate = 5000.0;
     set_options(bound, kRate);
     JointVector last = JointVector::Zero(model.n());
     int at_the_bound = 0, within = 0;

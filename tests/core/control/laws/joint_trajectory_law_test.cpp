@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/control/laws/controller.hpp"
+#include "core/control/laws/ros_pid.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "core/robot/theta.hpp"
@@ -23,8 +24,14 @@ using test::Period;
 
 // In states that follow no trajectory the references are integrated from where the arm was.
 TEST(JointTrajectoryLaw, IsAPidOfEachJointAlongTheIntegratedReferences) {
+  int bounded = 0, unbounded = 0;
   for (const RobotModel& model : test::all_arms()) {
     Period p(model, "joint_trajectory_controller", 91);
+    own(p.gains, "jtc_error_deadband") *= 0.002;  // of the size of the errors
+    p.law = controller_kind("joint_trajectory_controller")
+                .make({p.model, p.gains, theta_of(p.model.chain), Period::period, p.mask});
+    const JointVector most = own(p.gains, "jtc_u_clamp_max"), least = -own(p.gains, "jtc_u_clamp_min");
+    const JointVector deadband = own(p.gains, "jtc_error_deadband");
     const JointVector P = own(p.gains, "jtc_p"), I = own(p.gains, "jtc_i"), D = own(p.gains, "jtc_d");
     const JointVector ff = own(p.gains, "jtc_ff_velocity_scale"), clamp = own(p.gains, "jtc_i_clamp");
     JointVector reference = p.measured.q;
@@ -35,13 +42,50 @@ TEST(JointTrajectoryLaw, IsAPidOfEachJointAlongTheIntegratedReferences) {
         double error = reference[i] - p.measured.q[i];
         if (!model.joints[static_cast<std::size_t>(i)].limits.has_position)
           error = std::atan2(std::sin(error), std::cos(error));
-        integral[i] = std::min(std::max(integral[i] + I[i] * Period::period * error, -clamp[i]), clamp[i]);
-        EXPECT_NEAR(
-            tau[i],
-            P[i] * error + integral[i] - (D[i] * p.control.S[i]) + ff[i] * p.control.reference.velocity[i],
-            1e-9 * (1.0 + std::abs(tau[i])))
+        if (std::abs(error) > deadband[i])
+          integral[i] = std::min(std::max(integral[i] + I[i] * Period::period * error, -clamp[i]), clamp[i]);
+        const double output = P[i] * error + integral[i] - (D[i] * p.control.S[i]);
+        ++(output > most[i] || output < least[i] ? bounded : unbounded);
+        EXPECT_NEAR(tau[i],
+                    std::min(std::max(output, least[i]), most[i]) + ff[i] * p.control.reference.velocity[i],
+                    1e-9 * (1.0 + std::abs(tau[i])))
             << p.where() << ", joint " << i << ", period " << k;
       }
+      reference += Period::period * p.control.reference.velocity;
+      p.move();
+    }
+  }
+  EXPECT_GT(bounded, 0);
+  EXPECT_GT(unbounded, 0);
+}
+
+// ros_pid_test has the arithmetic of each kind.
+TEST(JointTrajectoryLaw, ChoosesTheAntiWindupByItsNumber) {
+  constexpr AntiWindup kKinds[] = {AntiWindup::kOfContribution, AntiWindup::kOfIntegral, AntiWindup::kNone,
+                                   AntiWindup::kConditional, AntiWindup::kBackCalculation};
+  for (int kind = 0; kind < 5; ++kind) {
+    Period p(test::pendulum(), "joint_trajectory_controller", 93);
+    const auto set = [&p](const char* name, double value) { own(p.gains, name).setConstant(value); };
+    set("jtc_p", 30.0);
+    set("jtc_i", 40000.0);
+    set("jtc_d", 0.0);
+    set("jtc_i_clamp", 20.0);
+    set("jtc_ff_velocity_scale", 0.0);
+    set("jtc_antiwindup", kind);
+    set("jtc_tracking_time", 0.01);
+    set("jtc_error_deadband", 1e-3);
+    set("jtc_u_clamp_max", 10.0);
+    set("jtc_u_clamp_min", 5.0);
+    p.law = controller_kind("joint_trajectory_controller")
+                .make({p.model, p.gains, theta_of(p.model.chain), Period::period, p.mask});
+    RosPid pid;
+    JointVector reference = p.measured.q;
+    for (int k = 0; k < 50; ++k) {
+      const double error = reference[0] - p.measured.q[0];
+      const double output =
+          pid.output({30.0, 40000.0, 0.0, 20.0, -20.0, 10.0, -5.0, kKinds[kind], 0.01, 1e-3}, error, 0.0,
+                     Period::period);
+      ASSERT_NEAR(p.torque()[0], output, 1e-9) << kind << ", period " << k;
       reference += Period::period * p.control.reference.velocity;
       p.move();
     }

@@ -1,0 +1,143 @@
+// The whole command of joint_trajectory_controller against test vectors that were derived from the source of
+// ROS by someone who had not seen this code. data/jtc_command.txt says how.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/control/laws/controller.hpp"
+#include "core/control/laws/controller_kind.hpp"
+#include "core/robot/theta.hpp"
+#include "tests/core/support/one_joint.hpp"
+
+namespace armtune::internal {
+namespace {
+
+struct Step {
+  double time = 0.0, q = 0.0, qd = 0.0, command = 0.0;
+};
+struct Case {
+  std::string name;
+  double period = 0.0;
+  double p = 0.0, i = 0.0, d = 0.0, i_clamp = 0.0, u_max = 0.0, u_min = 0.0, ff = 0.0;
+  std::string strategy;
+  double tracking_time = 0.0, deadband = 0.0;
+  int continuous = 0;
+  PointsGive given = PointsGive::kPositions;
+  std::vector<double> time;
+  std::vector<MotionPoint<JointVector>> points;
+  std::vector<Step> steps;
+};
+
+JointVector one(double x) {
+  return JointVector::Constant(1, x);
+}
+
+double number(std::istringstream& words) {
+  std::string text;
+  words >> text;
+  return std::stod(text);  // reads "inf" as well
+}
+
+void read_line(const std::string& word, std::istringstream& words, Case& c) {
+  if (word == "period") c.period = number(words);
+  if (word == "gains") {
+    for (double* value : {&c.p, &c.i, &c.d, &c.i_clamp, &c.u_max, &c.u_min, &c.ff}) *value = number(words);
+  }
+  if (word == "windup") {
+    words >> c.strategy;
+    c.tracking_time = number(words);
+    c.deadband = number(words);
+  }
+  if (word == "continuous") words >> c.continuous;
+  if (word == "points") {
+    std::string kind;
+    words >> kind;
+    c.given = kind == "positions"    ? PointsGive::kPositions
+              : kind == "velocities" ? PointsGive::kVelocities
+                                     : PointsGive::kAccelerations;
+  }
+  if (word == "point") {
+    c.time.push_back(number(words));
+    MotionPoint<JointVector> point{one(number(words)), one(0.0), one(0.0)};
+    if (c.given != PointsGive::kPositions) point.velocity = one(number(words));
+    if (c.given == PointsGive::kAccelerations) point.acceleration = one(number(words));
+    c.points.push_back(point);
+  }
+  if (word == "step") {
+    Step step;
+    for (double* value : {&step.time, &step.q, &step.qd, &step.command}) *value = number(words);
+    c.steps.push_back(step);
+  }
+}
+
+std::vector<Case> cases() {
+  std::ifstream file(ARMTUNE_SOURCE_DIR "/tests/core/control/laws/data/jtc_command.txt");
+  std::vector<Case> all;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string word;
+    if (!(words >> word) || word[0] == '#') continue;
+    if (word == "case") {
+      all.emplace_back();
+      words >> all.back().name;
+    } else {
+      read_line(word, words, all.back());
+    }
+    EXPECT_FALSE(words.fail()) << line;
+  }
+  return all;
+}
+
+/// The gains of a case, as the reader of parameter files gives them to the law.
+Gains gains_of(const Case& c) {
+  constexpr double kNoClamp = 1e6;
+  static const std::map<std::string, double> kStrategies = {
+      {"legacy", 1.0}, {"none", 2.0}, {"conditional_integration", 3.0}, {"back_calculation", 4.0}};
+  Gains gains = test::one_joint_gains("joint_trajectory_controller");
+  const auto set = [&gains](const char* name, double value) { own(gains, name)[0] = value; };
+  set("jtc_p", c.p);
+  set("jtc_i", c.i);
+  set("jtc_d", c.d);
+  set("jtc_i_clamp", std::min(c.i_clamp, kNoClamp));
+  set("jtc_u_clamp_max", std::min(c.u_max, kNoClamp));
+  set("jtc_u_clamp_min", std::min(-c.u_min, kNoClamp));
+  set("jtc_ff_velocity_scale", c.ff);
+  set("jtc_antiwindup", kStrategies.at(c.strategy));
+  set("jtc_tracking_time", c.tracking_time);
+  set("jtc_error_deadband", c.deadband);
+  return gains;
+}
+
+TEST(JtcVectors, AreThoseOfRosJointTrajectoryController) {
+  const std::vector<Case> all = cases();
+  ASSERT_GE(all.size(), 10U);
+  for (const Case& c : all) {
+    ASSERT_GE(c.steps.size(), 5U) << c.name;
+    RobotModel model = test::pendulum();
+    model.joints[0].limits.has_position = c.continuous == 0;
+    model.joints[0].limits.effort = 1e9;  // the command itself is looked at
+    const auto arm = std::make_shared<const RobotModel>(model);
+    Controller controller(arm, gains_of(c), theta_of(arm->chain), c.period, TaskMask::kPosition);
+    const JointSpline plan(c.time, c.points, c.given);
+    Path path;
+    Scene scene;
+    scene.path = &path;
+    scene.plan = &plan;
+    scene.holds_plan = true;
+    for (const Step& step : c.steps) {
+      const double tau = controller.update({one(step.q), one(step.qd)}, scene, step.time).commanded[0];
+      EXPECT_NEAR(tau, step.command, 1e-9 * (1.0 + std::abs(step.command)))
+          << c.name << ", " << step.time << " s";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace armtune::internal
