@@ -14,6 +14,7 @@ enum class CheckKind {
   kPositionLimit,
   kEffortLimit,
   kAccelerationLimit,
+  kOscillation,  ///< no joint shakes, and no oscillation grows
   kContact,      ///< tool and joint origins (or links) stay outside every obstacle
   kSelf,         ///< links that are not neighbours do not touch each other
   kCell,         ///< the arm touches no part of its cell

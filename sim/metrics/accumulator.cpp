@@ -91,6 +91,8 @@ void MetricAccumulator::add(const Observation& o) {
   if (state_ == ControlState::kFollowPlan && o.time < plan_end_) {
     const JointVector& planned = o.control->planned.position;
     for (int i = 0; i < model_.n(); ++i) joint_error_.add((*o.q)[i] - planned[i]);
+    forward_kinematics(model_.chain, planned, planned_poses_);
+    tool_error_.add((o.poses->p_0T - planned_poses_.p_0T).norm());
   }
   compensation_.add(o.compensation_error);
   if (aims_) add_gaze(o, switched);
@@ -142,6 +144,7 @@ void MetricAccumulator::add_instant(double time, const JointVector& q, const Joi
     min_margin_ = std::min(min_margin_, std::min(q[i] - lower_limits_[i], upper_limits_[i] - q[i]));
     max_effort_ratio_ = std::max(max_effort_ratio_, std::abs(commanded[i]) * per_effort_limit_[i]);
   }
+  effort_.add(torque.norm());
   if (instants_ > 0) effort_rate_.add((torque - last_torque_).norm() / step_);
   last_torque_ = torque;
   add_acceleration(velocity);
@@ -214,6 +217,8 @@ double MetricAccumulator::so_far(Metric m) const {
       return instants_ > 2 ? max_jerk_ : NAN;
     case Metric::kJointErrorMax:
       return joint_error_.max();
+    case Metric::kToolErrorMax:
+      return tool_error_.max();
     case Metric::kObstacleMinClearance:
       return finite_or_nan(min_clearance_);
     case Metric::kClearanceSelf:
@@ -243,6 +248,8 @@ Metrics MetricAccumulator::result(double end) {
   m[Metric::kReacquisitionTime] = reacquisition_.longest(end);
   m[Metric::kJointVelocityMaxRatioTime] = first_ ? NAN : max_ratio_time_;
   m[Metric::kJointErrorRms] = joint_error_.rms();
+  m[Metric::kToolErrorRms] = tool_error_.rms();
+  m[Metric::kJointEffortRms] = effort_.rms();
   m[Metric::kEffortRateRms] = effort_rate_.rms();
   m[Metric::kCompensationErrorRms] = compensation_.rms();
   if (!first_) m.max_ratio_joint = model_.joints[static_cast<std::size_t>(max_ratio_joint_)].name;

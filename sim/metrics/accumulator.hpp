@@ -108,8 +108,9 @@ class MetricAccumulator {
 
   Spread position_axis_[3], orientation_axis_[3];
   Spread position_, orientation_, linear_velocity_, angular_velocity_;
-  Spread joint_error_;
-  Spread gaze_, gaze_rate_, effort_rate_, compensation_;
+  Spread joint_error_, tool_error_;
+  Poses planned_poses_;  ///< of the planned joint positions
+  Spread gaze_, gaze_rate_, effort_, effort_rate_, compensation_;
   Reacquisition reacquisition_;
   long periods_outside_ = 0;
   double max_ratio_ = 0.0;

@@ -65,6 +65,9 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
        "time at which joint_velocity/max_ratio occurred"},
       {"joint_position/min_margin", "rad", kMore, kOnlyWorsens, "smallest distance to a position limit",
        "smallest distance of any joint to a position limit; negative if a joint exceeded it"},
+      {"joint_effort/rms", "N m", kLess, kEitherWay, "RMS torque",
+       "RMS over time of the joint torques after saturation (norm over the joints), with what carries the arm's "
+       "weight"},
       {"joint_effort/max_ratio", "1", kLess, kOnlyWorsens, "largest torque relative to its limit",
        "largest ratio of a joint's commanded |torque| to its limit, before saturation"},
       {"joint_effort/saturated_periods", "1", kLess, kOnlyWorsens, "periods with a saturated joint",
@@ -85,6 +88,12 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"joint_error/max", "rad", kLess, kOnlyWorsens, "largest joint error",
        "largest difference between actual and planned position of a joint, while a planned trajectory is "
        "followed; empty without one"},
+      {"tool_error/rms", "m", kLess, kEitherWay, "RMS tool error on a joint motion",
+       "RMS distance of the tool from where the planned joint positions would have it, while a planned "
+       "trajectory is followed; empty without one"},
+      {"tool_error/max", "m", kLess, kOnlyWorsens, "largest tool error on a joint motion",
+       "largest distance of the tool from where the planned joint positions would have it, while a planned "
+       "trajectory is followed; empty without one"},
       {"goal/settling_time", "s", kLess, kEitherWay, "time to settle at the goal",
        "time from the end of a planned trajectory until all joints stay within the scenario's goal_tolerance "
        "of its last position; if they never do, the time until the end; empty unless the arm stays at the end "

@@ -43,6 +43,8 @@ bool applies(Metric metric, const Scenario& scenario) {
       return scenario.switches_target();
     case Metric::kJointErrorRms:
     case Metric::kJointErrorMax:
+    case Metric::kToolErrorRms:
+    case Metric::kToolErrorMax:
       return scenario.planned != nullptr;
     case Metric::kGoalSettlingTime:
     case Metric::kGoalOvershoot:

@@ -23,11 +23,13 @@ std::optional<EnduranceResult> endure_in(Engine engine, const Scenario& scenario
   result.scenario = scenario.name;
   result.engine = engine;
   LimitWatch limits(*scenario.robot, options.limit_share);
+  ShakeWatch shakes(*scenario.robot);
   ErrorWindows errors(scenario.start_time, scenario.duration, scenario.control_period);
   LeastClearance touched;  // the first contact of the arm
   const RolloutResult rollout =
       Rollout(scenario, options.stepper, engine).run(gains, [&](const Observation& o) {
         limits.look(o);
+        shakes.look(o);
         errors.look(o);
         if (o.cell != nullptr) {
           for (const LeastClearance& least : o.cell->least()) {
@@ -48,6 +50,8 @@ std::optional<EnduranceResult> endure_in(Engine engine, const Scenario& scenario
   } else {
     result.ended = contact_text(rollout.metrics);
   }
+  result.shake = shakes.first();
+  if (result.shake && result.held()) result.ended = to_string(*result.shake);
   const bool compared = rollout.end_time - scenario.start_time >= kShortestCompared;
   result.rms_growth = compared ? errors.rms_growth() : NAN;
   result.peak_growth = compared ? errors.peak_growth() : NAN;

@@ -14,6 +14,7 @@
 
 #include "sim/rollout/limit_watch.hpp"
 #include "sim/rollout/rollout.hpp"
+#include "sim/rollout/shake_watch.hpp"
 #include "tuner/study/thresholds.hpp"
 
 namespace armtune::internal {
@@ -36,8 +37,9 @@ struct EnduranceResult {
   double rms_growth = 0.0;
   double peak_growth = 0.0;
   Engine engine = Engine::kNative;  ///< engine of this result, as `endure` describes
+  std::optional<Shake> shake = {};  ///< the first joint that oscillated
 
-  /// True if the rollout ran to its end within every limit and without a contact.
+  /// True if the rollout ran to its end within every limit, without a contact and without an oscillation.
   bool held() const { return !broken && ended.empty(); }
 };
 

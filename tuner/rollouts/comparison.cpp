@@ -24,14 +24,19 @@ double ratio(double value, double reference) {
 
 const std::vector<Metric>& headline_metrics() {
   static const std::vector<Metric> metrics = {
-      Metric::kJointErrorRms,          Metric::kJointErrorMax,         Metric::kGoalSettlingTime,
-      Metric::kGoalOvershoot,          Metric::kPositionMax,           Metric::kOrientationMax,
-      Metric::kLinearVelocityRms,      Metric::kAngularVelocityRms,    Metric::kGazeRms,
-      Metric::kGazeTimeOutside,        Metric::kReacquisitionTime,     Metric::kResponseRiseTime,
-      Metric::kResponseOvershoot,      Metric::kResponseSettlingTime,  Metric::kResponseSteadyStateError,
-      Metric::kResponseBandwidth,      Metric::kJointVelocityMaxRatio, Metric::kJointEffortMaxRatio,
-      Metric::kJointPositionMinMargin, Metric::kObstacleMinClearance,  Metric::kClearanceSelf,
-      Metric::kClearanceCell,          Metric::kClearanceFloor,        Metric::kEffortRateRms};
+      Metric::kJointErrorRms,        Metric::kJointErrorMax,
+      Metric::kToolErrorMax,         Metric::kGoalSettlingTime,
+      Metric::kGoalOvershoot,        Metric::kPositionMax,
+      Metric::kOrientationMax,       Metric::kLinearVelocityRms,
+      Metric::kAngularVelocityRms,   Metric::kGazeRms,
+      Metric::kGazeTimeOutside,      Metric::kReacquisitionTime,
+      Metric::kResponseRiseTime,     Metric::kResponseOvershoot,
+      Metric::kResponseSettlingTime, Metric::kResponseSteadyStateError,
+      Metric::kResponseBandwidth,    Metric::kJointVelocityMaxRatio,
+      Metric::kJointEffortMaxRatio,  Metric::kJointPositionMinMargin,
+      Metric::kObstacleMinClearance, Metric::kClearanceSelf,
+      Metric::kClearanceCell,        Metric::kClearanceFloor,
+      Metric::kEffortRateRms};
   return metrics;
 }
 

@@ -19,7 +19,6 @@ bool check_rollouts(const RolloutSettings& settings, const std::vector<ScenarioR
                     SimulationVerdict& verdict) {
   add_rollout_checks(results, set, verdict);
   add_contact_checks(settings.scenarios, results, set, verdict);
-  add_shake_notes(results, set, verdict);
   if (!endured || endured->size() < settings.scenarios.size()) return false;
   add_endurance_checks(*endured, VerdictThresholds(), set, verdict);
   return true;

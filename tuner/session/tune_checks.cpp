@@ -118,12 +118,14 @@ void TuneSession::check(bool analysed) {
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
   add_assumptions(study_.scenarios, study_.stepper, verdict);
   add_controller_assumption(study_.scenarios, result.best.gains, verdict);
-  verdict.notes = loosened(study_.thresholds);
+  const std::vector<std::string> loose = loosened(study_.thresholds);
+  verdict.notes.insert(verdict.notes.end(), loose.begin(), loose.end());
   verdict.notes.insert(verdict.notes.end(), task_warnings_.begin(), task_warnings_.end());
   if (!result.passed_over.empty()) verdict.notes.push_back(result.passed_over);
   if (study_.given) verdict.notes.push_back(given_note(study_));
-  for (const ComparedSet& set : outcome_.sets)
-    add_shake_notes(set.results, &set == &outcome_.sets[1] ? "" : set.name + " gains", verdict);
+  for (const ComparedSet& set : outcome_.sets) {
+    if (&set != &outcome_.sets[1]) add_shake_notes(set.results, set.name + " gains", verdict);
+  }
   add_bounds_note(study_, result.best.gains, verdict);
 }
 

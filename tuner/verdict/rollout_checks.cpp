@@ -80,6 +80,16 @@ void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::s
     }
     verdict.checks.push_back(std::move(check));
   }
+  Check oscillation{CheckKind::kOscillation};
+  for (const ScenarioResult& r : results) {
+    if (!r.shake || (!oscillation.passed && oscillation.time <= r.shake->time)) continue;
+    oscillation.passed = false;
+    oscillation.scenario = named(r.scenario, set);
+    oscillation.joint = r.shake->joint;
+    oscillation.time = r.shake->time;
+    oscillation.detail = swing_text(*r.shake);
+  }
+  verdict.checks.push_back(std::move(oscillation));
 }
 
 void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
@@ -145,6 +155,10 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
   growth.threshold = thresholds.rms_growth;
   bool compared = false;
   for (const EnduranceResult& r : results) {
+    if (!r.held() && r.shake) {
+      verdict.notes.push_back(
+          fmt::format("in {}, extended, {}", named(r.scenario, set), to_string(*r.shake)));
+    }
     if (!r.held() && (limits.passed || (r.broken && r.broken->time < limits.time))) {
       limits.passed = false;
       limits.scenario = named(r.scenario, set);

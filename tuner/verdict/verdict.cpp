@@ -55,12 +55,27 @@ const std::vector<std::string>& never_checked() {
 namespace armtune {
 
 const char* name(CheckKind kind) {
-  constexpr const char* kNames[] = {
-      "completion",          "velocity limit",     "position limit",        "effort limit",
-      "acceleration limit",  "clear of obstacles", "clear of itself",       "clear of the cell",
-      "clear of the floor",  "constraints",        "delay margin",          "gain margin",
-      "control rate margin", "noise margin",       "rotor estimate",        "yield",
-      "endurance",           "error growth",       "better than the start", ""};
+  constexpr const char* kNames[] = {"completion",
+                                    "velocity limit",
+                                    "position limit",
+                                    "effort limit",
+                                    "acceleration limit",
+                                    "oscillation",
+                                    "clear of obstacles",
+                                    "clear of itself",
+                                    "clear of the cell",
+                                    "clear of the floor",
+                                    "constraints",
+                                    "delay margin",
+                                    "gain margin",
+                                    "control rate margin",
+                                    "noise margin",
+                                    "rotor estimate",
+                                    "yield",
+                                    "endurance",
+                                    "error growth",
+                                    "better than the start",
+                                    ""};
   static_assert(std::size(kNames) == static_cast<std::size_t>(CheckKind::kBetterThanStart) + 2);
   return kNames[static_cast<std::size_t>(kind)];
 }

@@ -201,6 +201,22 @@ TEST_F(Accumulated, JointErrorsAreThoseToThePlanOverJointsAndTime) {
   EXPECT_NEAR(m[Metric::kJointErrorRms], std::sqrt((0.1 * 0.1 + 0.2 * 0.2) / 12.0), 1e-12);
 }
 
+TEST_F(Accumulated, ToolErrorsAreDistancesFromTheToolOfThePlannedPositions) {
+  p_.control.planned = {JointVector::Constant(6, 0.3), JointVector::Zero(6), JointVector::Zero(6)};
+  forward_kinematics(model_.chain, p_.control.planned.position, p_.poses);
+  const Vec3 planned = p_.poses.p_0T;
+  p_.poses.p_0T.setConstant(9.0);
+  add();  // in followTrajectory there is no plan
+  p_.control.state = kFollowPlan;
+  p_.poses.p_0T = planned + Vec3(0.03, 0.0, -0.04);
+  add();
+  p_.poses.p_0T = planned;
+  add();
+  const Metrics m = result();
+  EXPECT_NEAR(m[Metric::kToolErrorMax], 0.05, 1e-12);
+  EXPECT_NEAR(m[Metric::kToolErrorRms], 0.05 / std::sqrt(2.0), 1e-12);
+}
+
 TEST_F(Accumulated, TheLargestVelocityRatioNamesJointAndTime) {
   p_.control.state = kLeaveSingularity;  // limits count always
   add(3);
@@ -238,6 +254,9 @@ TEST_F(Accumulated, EffortIsTheCommandBeforeSaturationAndItsRateThatOfTheTorque)
   EXPECT_DOUBLE_EQ(m[Metric::kJointEffortMaxRatio], 2.0);
   EXPECT_EQ(m[Metric::kJointEffortSaturatedPeriods], 0.0) << "as the controller says it";
   EXPECT_DOUBLE_EQ(m[Metric::kEffortRateRms], 5.0 / kPeriod) << "the first period has none before it";
+  const double effort = model_.joints[3].limits.effort;
+  EXPECT_DOUBLE_EQ(m[Metric::kJointEffortRms],
+                   std::sqrt(0.5 * (effort * effort + (effort - 3.0) * (effort - 3.0) + 16.0)));
 }
 
 TEST_F(Accumulated, AccelerationsAndJerksAreDifferencesOfTheVelocities) {

@@ -38,12 +38,13 @@ TEST(ErrorsCsv, HasTheColumnsInTheirOrder) {
           "error/angular_velocity/max", "samples", "gaze/rms", "gaze/max", "gaze/rate_error/rms",
           "gaze/rate_error/max", "gaze/time_outside_threshold", "reacquisition/time",
           "joint_velocity/max_ratio", "joint_velocity/max_ratio_joint", "joint_velocity/max_ratio_time",
-          "joint_position/min_margin", "joint_effort/max_ratio", "joint_effort/saturated_periods",
-          "joint_acceleration/max", "joint_acceleration/max_ratio", "joint_jerk/max", "joint_error/rms",
-          "joint_error/max", "goal/settling_time", "goal/overshoot", "effort_rate/rms",
-          "obstacle/min_clearance", "clearance/self", "clearance/cell", "clearance/floor",
-          "compensation_error/rms", "response/rise_time", "response/overshoot", "response/settling_time",
-          "response/steady_state_error", "response/bandwidth", "reason"));
+          "joint_position/min_margin", "joint_effort/rms", "joint_effort/max_ratio",
+          "joint_effort/saturated_periods", "joint_acceleration/max", "joint_acceleration/max_ratio",
+          "joint_jerk/max", "joint_error/rms", "joint_error/max", "tool_error/rms", "tool_error/max",
+          "goal/settling_time", "goal/overshoot", "effort_rate/rms", "obstacle/min_clearance",
+          "clearance/self", "clearance/cell", "clearance/floor", "compensation_error/rms",
+          "response/rise_time", "response/overshoot", "response/settling_time", "response/steady_state_error",
+          "response/bandwidth", "reason"));
 }
 
 TEST(ErrorsCsv, NumbersReadBackToTheBitAndNoValueIsAnEmptyCell) {

@@ -21,6 +21,7 @@ std::optional<Shake> watched(const Torques& shares) {
   ControlOutput control;
   Observation o;
   const JointVector rest = JointVector::Zero(6);
+  control.reference.velocity = rest;
   o.control = &control;
   o.q = o.qd = &rest;
   for (int k = 0; k < 2000; ++k) {
@@ -59,7 +60,7 @@ TEST(ShakeWatch, SeesTheTorquesOfDrivesBetweenControlPeriods) {
   const RobotModel arm = test::ur10();
   ShakeWatch watch(arm);
   ControlOutput control;
-  control.commanded = JointVector::Zero(6);
+  control.commanded = control.reference.velocity = JointVector::Zero(6);
   const JointVector rest = JointVector::Zero(6);
   DriveInstant between{0.0, rest, rest, rest, rest};
   between.commanded[2] = 0.9 * arm.effort_limits()[2];
@@ -106,6 +107,66 @@ TEST(ShakeWatch, OfSeveralJointsTheFirstIsTheCauseAndOfThoseThatBeginTogetherThe
   EXPECT_EQ(both(swinging(0, 0.6, 50.0, 2.0), swinging(5, 0.6, 8.0, 1.0))->joint, "wrist_3_joint");
   EXPECT_EQ(both(swinging(0, 0.6, 8.0, 1.0), swinging(5, 0.6, 50.0, 1.0))->joint, "wrist_3_joint");
   EXPECT_EQ(both(swinging(0, 0.6, 50.0, 1.0), swinging(5, 0.6, 8.0, 1.0))->joint, "shoulder_pan_joint");
+}
+
+/// What a watch says of 8 s of a UR10 at 500 Hz without torque, whose second joint moves at a share of its
+/// velocity limit. desired: whether it should move like this.
+std::optional<Shake> watched_moving(const std::function<double(double)>& share, bool desired = false,
+                                    ControlState state = ControlState::kFollowTrajectory) {
+  const RobotModel arm = test::ur10();
+  ShakeWatch watch(arm);
+  ControlOutput control;
+  control.commanded = control.reference.velocity = JointVector::Zero(6);
+  control.state = state;
+  Observation o;
+  o.control = &control;
+  const JointVector q = JointVector::Zero(6);
+  JointVector qd = q;
+  o.q = &q;
+  o.qd = &qd;
+  for (int k = 0; k < 4000; ++k) {
+    o.time = 0.002 * k;
+    qd[1] = share(o.time) * arm.velocity_limits()[1];
+    if (desired) control.reference.velocity = qd;
+    watch.look(o);
+  }
+  return watch.first();
+}
+
+/// A ringing from 1 s on, at 3 Hz, that grows by a factor of e in 1 / rate seconds.
+double ringing(double t, double rate) {
+  const double since = t - 1.0;
+  return since < 0.0 ? 0.0 : 0.02 * std::exp(rate * since) * std::sin(2.0 * std::numbers::pi * 3.0 * since);
+}
+
+TEST(ShakeWatch, NamesASlowOscillationThatGrows) {
+  const auto growing = watched_moving([](double t) { return ringing(t, 0.5); });
+  ASSERT_TRUE(growing);
+  EXPECT_TRUE(growing->growing);
+  EXPECT_EQ(growing->joint, "shoulder_lift_joint");
+  EXPECT_NEAR(growing->frequency, 3.0, 0.05);
+  EXPECT_NEAR(growing->time, 1.0, 0.3);
+  EXPECT_NEAR(growing->swing, 2.0 * 0.02 * std::exp(0.5 * 7.0), 0.15);
+  EXPECT_EQ(to_string(*growing).find("shoulder_lift_joint oscillates: its velocity swings more and more"),
+            0U);
+  // On top of a motion that speeds up.
+  EXPECT_TRUE(watched_moving([](double t) { return ringing(t, 0.5) + 0.05 * t; }));
+}
+
+TEST(ShakeWatch, SaysNothingOfOscillationsThatDoNotGrowOrArePartOfAMotion) {
+  const auto growing = [](double t) { return ringing(t, 0.5); };
+  EXPECT_FALSE(watched_moving(growing, true)) << "it is the task";
+  EXPECT_FALSE(watched_moving(growing, false, ControlState::kLeaveSingularity)) << "on the way to the task";
+  EXPECT_TRUE(watched_moving(growing, false, ControlState::kFollowPlan));
+  EXPECT_FALSE(watched_moving([](double t) { return ringing(t, -0.5); })) << "it dies away";
+  EXPECT_FALSE(watched_moving([](double t) { return 10.0 * ringing(t, -0.5); }));
+  EXPECT_FALSE(watched_moving([](double t) { return 10.0 * ringing(t, 0.0); })) << "it stays as it is";
+  EXPECT_FALSE(watched_moving([](double t) { return 0.02 * ringing(t, 0.5); })) << "it is too small yet";
+  EXPECT_FALSE(watched_moving([](double t) {
+    return 0.4 * std::sin(2.0 * std::numbers::pi * t) +
+           0.3 * std::sin(2.0 * std::numbers::pi * 1.3 * t + 1.0);
+  })) << "a beat of two sines";
+  EXPECT_FALSE(watched_moving([](double t) { return t < 4.0 ? 0.1 * t : 0.8 - 0.1 * t; })) << "one motion";
 }
 
 TEST(ShakeWatch, IsToldInOneSentence) {

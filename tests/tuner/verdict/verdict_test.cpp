@@ -175,13 +175,13 @@ TEST(RolloutChecks, LookAtAccelerationsOnlyIfTheArmLimitsThem) {
   result.result.metrics[Metric::kJointAccelerationMaxRatio] = 1.125;
   SimulationVerdict verdict;
   add_rollout_checks({result}, "", verdict);
-  ASSERT_EQ(verdict.checks.size(), 5U);
-  EXPECT_EQ(to_text(verdict.checks.back()), "acceleration limit, elbow, 7.000 s, in a: 9, threshold 8");
+  ASSERT_EQ(verdict.checks.size(), 6U);
+  EXPECT_EQ(to_text(verdict.checks[4]), "acceleration limit, elbow, 7.000 s, in a: 9, threshold 8");
   EXPECT_FALSE(verdict.passed());
   result.result.metrics[Metric::kJointAccelerationMaxRatio] = NAN;
   SimulationVerdict without;
   add_rollout_checks({result}, "", without);
-  EXPECT_EQ(without.checks.size(), 4U);
+  EXPECT_EQ(without.checks.size(), 5U);
 }
 
 TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {
@@ -190,10 +190,11 @@ TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {
                       result_of("b", {{JointLimit::kEffort, "wrist", 3.0, -60.0, -56.0},
                                       {JointLimit::kPosition, "pan", 9.0, -6.5, -6.28}})},
                      "", verdict);
-  ASSERT_EQ(verdict.checks.size(), 4U);
+  ASSERT_EQ(verdict.checks.size(), 5U);
   for (const Check& check : verdict.checks) {
     switch (check.kind) {
       case CheckKind::kCompleted:
+      case CheckKind::kOscillation:
       case CheckKind::kVelocityLimit:
         EXPECT_TRUE(check.passed);
         break;
@@ -225,6 +226,20 @@ TEST(RolloutChecks, NoteTheJointThatShakesWithItsScenarioAndSet) {
   EXPECT_THAT(verdict.notes,
               ElementsAre(AllOf(HasSubstr("in shaking under start gains, wrist_1_joint shakes"),
                                 HasSubstr("30 Hz"))));
+}
+
+TEST(RolloutChecks, AJointThatShakesFailsWithItsScenarioAndTime) {
+  ScenarioResult late = result_of("late", {});
+  late.shake = Shake{"elbow_joint", 2.5, 3.0, 0.4, true};
+  ScenarioResult early = result_of("early", {});
+  early.shake = Shake{"wrist_1_joint", 0.5, 30.0, 1.2, false};
+  SimulationVerdict verdict;
+  add_rollout_checks({result_of("steady", {}), late, early}, "", verdict);
+  EXPECT_FALSE(verdict.passed());
+  EXPECT_EQ(
+      to_text(verdict.checks.back()),
+      "oscillation, wrist_1_joint, 0.500 s, in early: its torque swings by 1.2 of its effort limit, at 30 "
+      "Hz");
 }
 
 TEST(RolloutChecks, AScenarioThatDidNotCompleteFailsWithItsReason) {
