@@ -25,9 +25,11 @@ constexpr double kThetaFails = 0.1;  ///< check_arm: least share of some torque 
 constexpr double kVanished = 0.1;    ///< check_arm: share of a link's mass in the robot file
 constexpr double kGrownRotor =
     6.0;  ///< check_arm: times the rotor inertia in the robot file, which may be an estimate
-constexpr double kLighter = 0.6;  ///< check_scale: share of the torque that the robot file predicts
-constexpr double kFollows = 0.8;  ///< check_scale: least correlation of a torque with the predicted one
-constexpr double kLoaded = 0.1;   ///< check_scale: least predicted torque as a share of the effort limit
+constexpr double kLighter = 0.6;   ///< check_scale: share of the torque that the robot file predicts
+constexpr double kFollows = 0.8;   ///< check_scale: least correlation of a torque with the predicted one
+constexpr double kOpposite = 0.7;  ///< check_scale: least correlation with the opposite of the prediction
+constexpr double kSigned = 0.002;  ///< check_scale: least predicted torque whose sign counts, as a share
+constexpr double kLoaded = 0.1;    ///< check_scale: least predicted torque as a share of the effort limit
 
 std::string check_joint(const RobotModel& model, int joint, const Unexplained& rows, double noise,
                         const char* which) {
@@ -138,20 +140,26 @@ std::string check_arm(const RobotModel& model, const Identification& found) {
                      model.joints[static_cast<std::size_t>(joint)].name, ratio, kAdvice);
 }
 
-/// Returns a doubt if the torque of a joint that bears much of its limit follows what the robot file
-/// predicts, but is much smaller: the arm is much lighter than the file's. A larger torque is no doubt, as a
-/// payload causes it.
+/// Returns a doubt if the torque of a joint is the opposite of what the robot file predicts. Returns a doubt
+/// too if the torque of a joint that bears much of its limit follows what the robot file predicts, but is
+/// much smaller: the arm is much lighter than the file's. A larger torque is no doubt, as a payload causes
+/// it.
 std::string check_scale(const RobotModel& model, const Unexplained& rows) {
   for (int j = 0; rows.rows > 0 && j < model.n(); ++j) {
     const JointInfo& info = model.joints[static_cast<std::size_t>(j)];
     const double torque = rows.torque[j];
     const double file = rows.file[j];
-    if (file < kLoaded * info.limits.effort) continue;
     // From the squared RMS of the difference of both series.
     const double product = 0.5 * (torque * torque + file * file - std::pow(rows.by_file[j], 2));
-    const double scale = product / (file * file);
-    if (product < kFollows * torque * file || scale > kLighter) continue;
     const EffortWords effort = effort_words(model, j);
+    if (file >= kSigned * info.limits.effort && product < -kOpposite * torque * file)
+      return fmt::format(
+          "the {0} of {1} has the opposite sign of what the parameters of the robot file predict; check the sign "
+          "of its {0} and of its position",
+          effort.name, info.name);
+    const double scale = product / (file * file);
+    if (file < kLoaded * info.limits.effort || product < kFollows * torque * file || scale > kLighter)
+      continue;
     return fmt::format(
         "the {0} of {1} is only {2:.2g} times what the parameters of the robot file predict. The log may be of "
         "another, lighter arm: check --robot, the masses in the robot file and the unit of the {0}. A spring "

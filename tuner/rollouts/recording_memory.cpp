@@ -19,6 +19,9 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kGigabyte = 1e9;
+/// Bytes of virtual memory for everything but recordings, such as the stacks of threads that begin later.
+constexpr double kReserve = 64e6;
+constexpr double kLeast = 1e6;  ///< bytes; what counts as usable at least, to divide by
 constexpr double kKept = sizeof(double);
 /// Bytes per value while its file is written (Recorder::write_csv): the value, a copy, and its text of up to
 /// 24 characters. The text counts twice, because the buffer is copied when it grows.
@@ -39,6 +42,13 @@ std::string control_group() {
   return {};
 }
 
+/// Returns the size of this process in virtual memory [bytes]; 0 if the kernel does not tell.
+double own_size() {
+  double pages = 0.0;
+  return std::ifstream("/proc/self/statm") >> pages ? pages * static_cast<double>(::sysconf(_SC_PAGESIZE))
+                                                    : 0.0;
+}
+
 double rows(const Scenario& scenario, int stride) {
   return std::ceil(scenario.duration / scenario.control_period / stride) + 2.0;
 }
@@ -55,7 +65,7 @@ double usable_memory() {
       static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
   rlimit limit{};
   if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+    bytes = std::min(bytes, std::max(kLeast, static_cast<double>(limit.rlim_cur) - own_size() - kReserve));
   const std::string groups = "/sys/fs/cgroup";
   for (const std::string& file : {groups + control_group() + "/memory.max", groups + "/memory.max",
                                   groups + "/memory/memory.limit_in_bytes"}) {

@@ -11,9 +11,11 @@ namespace armtune::internal {
 namespace theta_doubts_test {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// A result that leaves a twentieth of each torque, of an arm that is the robot file's, with friction that it
 /// lacks.
@@ -134,6 +136,9 @@ TEST_F(ThetaDoubts, AnArmThatIsMuchLighterThanTheRobotFilesIsNamed) {
   EXPECT_THAT(scaled(0.65, 0.2), IsEmpty()) << "a robot file may be that wrong";
   EXPECT_THAT(scaled(0.5, 0.45), IsEmpty()) << "the torque does not follow the predicted one";
   EXPECT_THAT(scaled(2.0, 0.2), IsEmpty()) << "a payload";
+  EXPECT_THAT(scaled(-1.0, 0.5),
+              Contains(AllOf(HasSubstr("opposite sign"), HasSubstr(model_.joints[1].name))));
+  EXPECT_THAT(scaled(-1.0, 1.5), Not(Contains(HasSubstr("opposite sign")))) << "hardly related";
 }
 
 TEST_F(ThetaDoubts, MassesThatAreNotTheRobotFilesAreNamed) {

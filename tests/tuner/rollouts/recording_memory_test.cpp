@@ -3,7 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <chrono>
+#include <fstream>
 
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
@@ -80,6 +84,22 @@ TEST(RecordingMemory, IsAskedForBeforeAnythingIsSimulated) {
                     scenarios, [](const Scenario& s) { return test::published_gains(s); }, options, never);
               }),
               HasSubstr("longer"));
+}
+
+TEST(RecordingMemory, OfALimitOfTheShellWhatIsInUseAlreadyDoesNotCount) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  double pages = 0.0;
+  ASSERT_TRUE(std::ifstream("/proc/self/statm") >> pages);
+  const double used = pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+  rlimit lower = before;
+  lower.rlim_cur = static_cast<rlim_t>(used + kGigabyte);
+  if (lower.rlim_cur > before.rlim_max) GTEST_SKIP() << "a lower limit is set already";
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &lower), 0);
+  const double usable = usable_memory();
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_LT(usable, 0.95 * kGigabyte);
+  EXPECT_GT(usable, 0.85 * kGigabyte);
 }
 
 }  // namespace recording_memory_test
