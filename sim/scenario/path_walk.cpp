@@ -51,9 +51,10 @@ ToolAim aim_at(const Scenario& scenario, double time, OrientationPoint& wanted) 
   return aim;
 }
 
-/// Walks for `walked` seconds from q, and sets q to the joint positions at the end.
+/// Walks for `walked` seconds from q, and sets q to the joint positions at the end. kept: receives the joint
+/// motion; null: it is not kept.
 PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, double centering_gain,
-                  double roll_gain, WalkUntil until) {
+                  double roll_gain, WalkUntil until, JointWalk* kept = nullptr) {
   const RobotModel& robot = *scenario.robot;
   const double scale = std::min(1.0, std::pow(reach(robot), 3));
   const InverseDamping damping{1e-3 * scale, 1e-3 * scale, 1.0};
@@ -77,6 +78,10 @@ PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, doubl
         motion.step(robot.chain, path, aim, damping, scenario.mask, centering, dt, &roll);
     arm.measure(robot.chain, joints.position, joints.velocity, damping, scenario.mask);
     extremes.see(time, path.position, arm, joints.position, walk);
+    if (kept != nullptr) {
+      kept->time.push_back(time);
+      kept->positions.push_back(joints);
+    }
     walk.steps = k;
     walk.ended = time;
     q = joints.position;
@@ -115,6 +120,13 @@ bool can_follow(const PathWalk& walk) {
 
 bool is_clear(const PathWalk& walk) {
   return can_follow(walk) && contact(walk) == nullptr;
+}
+
+JointWalk joints_along_path(const Scenario& scenario, const JointVector& q, double centering_gain) {
+  JointWalk kept;
+  JointVector end = q;
+  kept.walk = walk_for(scenario, scenario.duration, end, centering_gain, 0.0, WalkUntil::kEnd, &kept);
+  return kept;
 }
 
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain, double roll_gain,

@@ -3,6 +3,8 @@
 // uses no dynamics, no velocity limits and, of all gains, only those of the centering. It shows before the
 // first simulation where no controller can make the arm do the task.
 
+#include <vector>
+
 #include "sim/scenario/scenario.hpp"
 #include "sim/scenario/walk_extremes.hpp"
 
@@ -27,6 +29,16 @@ enum class WalkUntil { kEnd, kLost };
 /// the gains joint_centering_gain and roll_centering_gain of the controller [1/s].
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain,
                    double roll_gain = 0.0, WalkUntil until = WalkUntil::kEnd);
+
+/// The joint motion of a walk.
+struct JointWalk {
+  PathWalk walk;
+  std::vector<double> time;                         ///< of each step [s]
+  std::vector<MotionPoint<JointVector>> positions;  ///< of the joints at each step, with their derivatives
+};
+
+/// Follows the whole task, as walk_path does, and keeps the joint positions of every step.
+JointWalk joints_along_path(const Scenario& scenario, const JointVector& q, double centering_gain);
 
 /// Returns true if the arm stays within a millimetre of the path and within its joint limits, and passes no
 /// singularity (is_singular).

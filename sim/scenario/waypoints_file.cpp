@@ -14,6 +14,7 @@
 #include "sim/csv/csv_table.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/motion_rows.hpp"
+#include "sim/scenario/trajectory_message.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune::internal {
@@ -69,6 +70,25 @@ UserTable read_waypoints_node(const yaml::Node& node) {
   UserTable waypoints = read_user_table(map, "time length");
   map.finish();
   return waypoints;
+}
+
+bool has_tool_waypoints(const UserTable& file, const RobotModel& robot) {
+  if (is_trajectory_message(file.path)) return false;
+  try {
+    const ParsedTable named = parse_user_table(file, ColumnNames::kInLowerCase, "waypoints", "time, x, y, z");
+    const std::vector<std::string> joints = joint_names(robot);
+    return std::all_of(kPlace.begin(), kPlace.end(), [&](const char* name) {
+      return named.table.find(name) && std::find(joints.begin(), joints.end(), name) == joints.end();
+    });
+  } catch (const InputError&) {
+    return false;  // whoever reads it as a joint motion says why
+  }
+}
+
+bool has_orientations(const UserTable& waypoints) {
+  const ParsedTable named = read_table(waypoints);
+  return std::any_of(kTurn.begin(), kTurn.end(),
+                     [&named](const char* name) { return named.table.find(name).has_value(); });
 }
 
 PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {

@@ -14,13 +14,17 @@
 #include "tuner/run/run_folder.hpp"
 #ifdef ARMTUNE_SUITESPARSE
 #include "tuner/planning/session/timed_goals.hpp"
+#include "tuner/planning/session/tool_waypoints.hpp"
 #endif
 
-// armtune built without CHOLMOD has no planner, so it cannot plan motions through positions without times.
+// armtune built without CHOLMOD has no planner, so it cannot find motions through positions without times, or
+// along waypoints of the tool.
 #ifdef ARMTUNE_SUITESPARSE
 #define ARMTUNE_WITHOUT_TIMES ". Without times, armtune plans a motion through the positions"
+#define ARMTUNE_WAYPOINTS "or of waypoints of the tool (time, x, y, z and perhaps qw, qx, qy, qz), "
 #else
 #define ARMTUNE_WITHOUT_TIMES ""
+#define ARMTUNE_WAYPOINTS ""
 #endif
 
 namespace armtune::internal::cli {
@@ -36,9 +40,10 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
       "(docs/file_formats.md)");
   CLI::Option* trajectory =
       command
-          .add_option("--trajectory", inputs.trajectories,
-                      "one or more motions for which the gains are tuned: CSV files of joint positions, "
-                      "or a trajectory_msgs/JointTrajectory as YAML" ARMTUNE_WITHOUT_TIMES)
+          .add_option(
+              "--trajectory", inputs.trajectories,
+              "one or more motions for which the gains are tuned: CSV files of joint positions, " ARMTUNE_WAYPOINTS
+              "or a trajectory_msgs/JointTrajectory as YAML" ARMTUNE_WITHOUT_TIMES)
           ->expected(1, -1);
   CLI::Option* node = command.add_option(
       "--node", inputs.node, "name of the controller to tune, if the file of --controllers has several");
@@ -88,6 +93,7 @@ std::string make_controller_study(ControllerStudyInputs inputs, const std::strin
     line.clear();
     return timed;
   };
+  inputs.tool_motion = motion_along;
 #endif
   const auto files = write_controller_study(inputs, folder);
   if (!files) {

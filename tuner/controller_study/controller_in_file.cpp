@@ -34,16 +34,6 @@ struct AcceptedRange {
 constexpr std::array kAccepted = {AcceptedRange{"servo_gain", 100.0, 2000.0},
                                   AcceptedRange{"servo_lookahead_time", 0.03, 0.2}};
 
-/// Returns the controller's own gains that a study tunes unless it names others.
-std::vector<const GainField*> searched_fields(const Gains& gains) {
-  std::vector<const GainField*> found;
-  for (const GainField& field : fields_of(gains)) {
-    if (std::holds_alternative<OwnGain>(field.member) && field.search != SearchRange::kNone)
-      found.push_back(&field);
-  }
-  return found;
-}
-
 /// Returns false if the numbers of the file are given by a map, and it names no number for value k of the
 /// gain.
 bool is_in_file(const ControllerInFile& from, const GainField& field, Eigen::Index k) {
@@ -55,6 +45,26 @@ bool is_in_file(const ControllerInFile& from, const GainField& field, Eigen::Ind
   });
 }
 
+/// True if a map binds a gain of the control loop to the file that most controllers of this kind do not have.
+bool is_bound(const ControllerInFile& from, const GainField& field) {
+  const auto& places = from.controller.places;
+  return from.controller.layout == GainLayout::kMapped && field.loop != LoopGain::kNone &&
+         std::any_of(places.begin(), places.end(), [&field](const GainPlace& place) {
+           return std::string_view(place.gain).substr(0, place.gain.find('/')) == field.name;
+         });
+}
+
+/// Returns the controller's own gains that a study tunes unless it names others.
+std::vector<const GainField*> searched_fields(const ControllerInFile& from) {
+  std::vector<const GainField*> found;
+  for (const GainField& field : fields_of(from.gains)) {
+    if (std::holds_alternative<OwnGain>(field.member) &&
+        (field.search != SearchRange::kNone || is_bound(from, field)))
+      found.push_back(&field);
+  }
+  return found;
+}
+
 JointVector& values_of(Gains& gains, const GainField& field) {
   return gains.own[std::get<OwnGain>(field.member).place];
 }
@@ -64,7 +74,7 @@ JointVector& values_of(Gains& gains, const GainField& field) {
 void require_room(const ControllerInFile& from) {
   Gains others = from.gains;
   double factor = 1.0;
-  for (const GainField* field : searched_fields(from.gains)) {
+  for (const GainField* field : searched_fields(from)) {
     JointVector& values = values_of(others, *field);
     for (Eigen::Index k = 0; k < values.size(); ++k) {
       if (is_in_file(from, *field, k)) values[k] *= factor += 0.01;
@@ -102,7 +112,7 @@ ControllerInFile read_controller(const std::string& file, const std::string& nod
   read.joints = joints;
   read.gains = controller_gains(read.controller, read.file, joints);
   validate(read.gains, joints, read.file);
-  const auto fields = searched_fields(read.gains);
+  const auto fields = searched_fields(read);
   if (std::all_of(fields.begin(), fields.end(),
                   [&read](const GainField* field) { return values_of(read.gains, *field).isZero(0.0); }))
     throw InputError(InputPlace{file},
@@ -167,7 +177,7 @@ std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm
   Gains first = gains;
   controller_kind(gains.controller).start(arm, q, first);
   std::string text;
-  for (const GainField* field : searched_fields(from.gains)) {
+  for (const GainField* field : searched_fields(from)) {
     const JointVector& values = values_of(gains, *field);
     const auto* accepted = std::find_if(kAccepted.begin(), kAccepted.end(),
                                         [field](const AcceptedRange& a) { return a.gain == field->name; });
@@ -185,6 +195,16 @@ std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm
           text += entry(
               field->name, from.joints[k],
               fmt::format(", lower: {:.6g}, upper: {:.6g}", kLeastStiffness * start, most_stiffness[k]));
+      }
+      continue;
+    }
+    if (field->search == SearchRange::kNone) {
+      for (std::size_t k = 0; k < from.joints.size(); ++k) {
+        const double start = values[static_cast<Eigen::Index>(k)];
+        if (is_tuned(static_cast<Eigen::Index>(k)))
+          text += entry(field->name, from.joints[k],
+                        fmt::format(", lower: {:.6g}, upper: {:.6g}", field->lower_factor * start,
+                                    field->upper_factor * start));
       }
       continue;
     }

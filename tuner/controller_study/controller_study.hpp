@@ -10,6 +10,7 @@
 
 #include "core/trajectory/joint_spline.hpp"
 #include "sim/cell/clearance_model.hpp"
+#include "sim/scenario/user_table.hpp"
 
 namespace armtune::internal {
 
@@ -31,19 +32,33 @@ struct TimedGoals {
 /// A function that plans a motion through joint goals. It returns nothing if it was stopped.
 using GoalTiming = std::function<std::optional<TimedGoals>(const JointGoals&)>;
 
+/// Positions, and perhaps orientations, that the tool of an arm passes at given times.
+struct ToolWaypoints {
+  UserTable file;
+  std::shared_ptr<const RobotModel> robot;
+  std::shared_ptr<const ClearanceModel> clearance;  ///< pairs of bodies that must not touch
+  bool ros2 = true;                                 ///< version of ROS that the message is for
+  double speed = 1.0;                               ///< factor on the speed of the motion
+};
+/// A function that finds a joint motion along waypoints of the tool.
+using ToolMotion = std::function<TimedGoals(const ToolWaypoints&)>;
+
 /// The user's files and options. Relative paths begin at the current folder.
 struct ControllerStudyInputs {
-  std::string robot;                      ///< bundled name, robot YAML or URDF
-  std::string controllers;                ///< ROS parameter file of the controller; empty: see kind
-  std::string node;                       ///< name of the controller in the file; empty: the only one
-  std::vector<std::string> trajectories;  ///< CSV files or ROS messages, at least one; with times or without
-  double rate = 0.0;                      ///< rate of the controller [Hz]; 0: the file's update_rate
-  double speed = 1.0;                     ///< factor on the speed of all motions
-  bool degrees = false;                   ///< true: angles in CSV files are in degrees, not in radians
+  std::string robot;        ///< bundled name, robot YAML or URDF
+  std::string controllers;  ///< ROS parameter file of the controller; empty: see kind
+  std::string node;         ///< name of the controller in the file; empty: the only one
+  /// CSV files or ROS messages, at least one: joint motions, joint goals without times, or waypoints of the
+  /// tool.
+  std::vector<std::string> trajectories;
+  double rate = 0.0;     ///< rate of the controller [Hz]; 0: the file's update_rate
+  double speed = 1.0;    ///< factor on the speed of all motions
+  bool degrees = false;  ///< true: angles in CSV files are in degrees, not in radians
   /// Largest stiffness of each joint for impedance controllers [N m/rad, N/m]: n numbers, or one for all
   /// joints. Empty: the stiffness is not tuned, because nothing here tells how large it may become.
   std::vector<double> max_stiffness = {};
-  GoalTiming timing = {};  ///< plans motions for files without times; empty: these are refused
+  GoalTiming timing = {};       ///< plans motions for files without times; empty: these are refused
+  ToolMotion tool_motion = {};  ///< finds motions for files with waypoints of the tool; empty: likewise
   /// Without a parameter file: one of armtune's controllers that follow joint motions. Its start gains are
   /// computed from the arm, and `rate` must be given.
   std::string kind = {};
@@ -58,7 +73,7 @@ struct ControllerStudyFiles {
 
 /// Writes a study of the controller's gains into a new folder:
 ///   - study.yaml, and a scenario for each motion;
-///   - for each file without times, the ROS message with the planned motion;
+///   - for each file without times or with waypoints of the tool, the ROS message with the joint motion;
 ///   - gains.yaml with the start gains, if there is no parameter file;
 ///   - robot.yaml with an estimate of the arm's rotor inertia, if no file gives this inertia.
 ///

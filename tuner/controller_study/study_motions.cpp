@@ -14,6 +14,7 @@
 #include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/trajectory_message.hpp"
+#include "sim/scenario/waypoints_file.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -49,6 +50,12 @@ std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInput
     const std::string name = free_name(std::filesystem::path(path).stem().string(), taken);
     check_result_name(name, path);
     PlannedFile file{{path}, true, inputs.speed};
+    if (inputs.tool_motion && has_tool_waypoints(file.table, *arm.robot)) {
+      check_result_name(name, path, kLongestName - kMotion.size());
+      TimedGoals timed = inputs.tool_motion({file.table, arm.robot, arm.clearance, arm.ros2, inputs.speed});
+      motions.push_back({path, name, std::move(timed.motion), "", std::move(timed.message), true});
+      continue;
+    }
     if (inputs.degrees && !is_trajectory_message(path)) file.table.units.angle = std::numbers::pi / 180.0;
     if (!inputs.timing) {
       motions.push_back({path, name, load_planned_motion(file, *arm.robot), absolute_path(path), ""});
@@ -76,12 +83,19 @@ std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInput
 }
 
 void add_notes(const StudyMotion& move, std::vector<std::string>& notes) {
-  if (!move.message.empty())
+  if (move.of_tool) {
+    notes.push_back(fmt::format(
+        "{} has waypoints of the tool. armtune chose joint positions with which the tool follows them; other "
+        "software may choose others. {} contains this motion for the robot. The robot must be at its first "
+        "point when the motion begins",
+        move.file, move.reference));
+  } else if (!move.message.empty()) {
     notes.push_back(fmt::format(
         "{} has joint goals but no times. The motion through them was planned, takes {:.1f} s and stops at "
         "every goal. {} contains this motion for the robot. The robot must be at the first goal when the "
         "motion begins",
         move.file, move.motion.end(), move.reference));
+  }
   if (move.message.empty() && is_straight(move.motion))
     notes.push_back(fmt::format(
         "{} has positions but no velocities. As in ROS, straight lines then join the points, and the desired "

@@ -16,7 +16,8 @@ struct StudyMotion {
   std::string name;       ///< name of the scenario: that of the file, with a number if it is taken
   JointSpline motion;     ///< in radians, metres and seconds
   std::string reference;  ///< path by which the scenario refers to the file with the motion
-  std::string message;    ///< ROS message, if the motion was planned through joint goals; otherwise empty
+  std::string message;    ///< ROS message, if the joint motion is armtune's; otherwise empty
+  bool of_tool = false;   ///< true if the file has waypoints of the tool
 };
 
 /// Reads a motion from each file of inputs.trajectories, or plans it. arm: gives the robot for which motions

@@ -116,6 +116,25 @@ TEST(OwnControllerStudy, TunesWhatAMapBindsToGains) {
               AllOf(HasSubstr("joint_impedance_d"), HasSubstr("in the map")));
 }
 
+// A gain that most controllers of the kind do not have is tuned where the map binds it.
+TEST(OwnControllerStudy, TunesDampingRatiosThatAMapBinds) {
+  const test::TemporaryFolder folder;
+  folder.write("own.yaml",
+               "stiff: [300.0, 300.0, 300.0, 100.0, 100.0, 100.0]\n"
+               "ratios: [0.7, 0.7, 0.7, 0.5, 0.5, 0.0]\n");
+  ControllerStudyInputs inputs = example();
+  inputs.controllers =
+      folder.write("map.yaml",
+                   "controller: joint_impedance\nfile: own.yaml\nmap: {stiff: joint_impedance_k, "
+                   "ratios: joint_impedance_damping_ratio}\njoint_impedance_d: 0\n");
+  inputs.rate = 500.0;
+  const Study study = load_study(write_controller_study(inputs, folder / "made").value().study);
+  ASSERT_EQ(study.space.free.size(), 5U) << "not the one that is 0, and no stiffness";
+  EXPECT_EQ(study.space.free[0].entry.name, "joint_impedance_damping_ratio/shoulder_pan_joint");
+  EXPECT_DOUBLE_EQ(study.space.free[0].lower, 0.14);
+  EXPECT_DOUBLE_EQ(study.space.free[4].upper, 2.5);
+}
+
 TEST(StudyMotions, MotionsInDegreesAreReadAsTheyAreSaidToBe) {
   const test::TemporaryFolder folder;
   ControllerStudyInputs inputs = example();
