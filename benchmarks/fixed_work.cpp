@@ -30,6 +30,7 @@ int run_lanes(const Scenario& scenario, const Gains& gains) {
 int run(const char* engine, const char* name, double seconds) {
   Scenario scenario = load_scenario(name);
   scenario.duration = seconds;
+  scenario.clearance.reset();  // what a cell costs is measured by cell_period.cpp
   const Gains gains = load_gains("published", joint_names(*scenario.robot));
   if (engine == std::string("lanes")) return run_lanes(scenario, gains);
   Rollout rollout(scenario, Stepper::kMidpoint, engine_from_name(engine));

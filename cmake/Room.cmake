@@ -32,6 +32,14 @@ function(armtune_precompile TARGET)
     $<$<CXX_COMPILER_ID:Clang>:-Xclang;-fno-pch-timestamp> $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()
 
+# armtune_together(TARGET): compiles eight of its files as one, which takes a third of the time. So no two files of a room may
+# have the same name in an anonymous namespace.
+function(armtune_together TARGET)
+  if(ARMTUNE_UNITY)
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
 function(armtune_room NAME)
   cmake_parse_arguments(ROOM "" "" "WITHOUT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -48,5 +56,9 @@ function(armtune_room NAME)
   target_link_libraries(armtune_${NAME} PRIVATE $<BUILD_INTERFACE:armtune_options>)
   if(ARMTUNE_PRECOMPILE)
     armtune_precompile(armtune_${NAME})
+  endif()
+  # Not core and sim: scripts/check-mutants compiles their files one by one.
+  if(NOT NAME MATCHES "^(core|sim)$")
+    armtune_together(armtune_${NAME})
   endif()
 endfunction()

@@ -53,15 +53,17 @@ void raise_input_error(const InputError& error) {
   raised.attr("file") = text_or_none(error.place().file);
   if (error.place().line > 0) raised.attr("line") = error.place().line;
   raised.attr("key") = text_or_none(error.place().key);
+  raised.attr("value") = text_or_none(error.value());
+  raised.attr("limit") = text_or_none(error.limit());
   PyErr_SetObject(type.ptr(), raised.ptr());
 }
 
-/// Binds InputError, with the place of the error as attributes. Unknown attributes are None.
+/// Binds InputError, with the place, the value and the limit as attributes. Unknown attributes are None.
 void bind_input_error(py::module_& module, const py::object& error) {
   // It is also a ValueError, Python's exception for an argument with an unsuitable value.
   const py::tuple bases = py::make_tuple(error, py::handle(PyExc_ValueError));
   const auto& type = py::register_exception<InputError>(module, "InputError", bases);
-  for (const char* name : {"file", "line", "key"}) type.attr(name) = py::none();
+  for (const char* name : {"file", "line", "key", "value", "limit"}) type.attr(name) = py::none();
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       std::rethrow_exception(std::move(thrown));

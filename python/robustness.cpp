@@ -12,12 +12,13 @@
 namespace py = pybind11;
 
 namespace armtune::internal::python {
+namespace {
 
 using armtune::Gains;
 using armtune::Margin;
 using armtune::Scenario;
 
-void bind_robustness(py::module_& module) {
+void bind_samples(py::module_& module) {
   py::class_<RobustnessSample>(module, "RobustnessSample", made_by_armtune(),
                                "One random arm, simulated in every scenario.")
       .def_readonly("number", &RobustnessSample::number)
@@ -51,7 +52,9 @@ void bind_robustness(py::module_& module) {
       "Simulates gains on random arms. perturbation: a dict with the width of each random change. Its keys "
       "are mass, center, inertia, rotor, friction, payload, delay, noise, theta and target_speed. Keys left "
       "out have default widths.");
+}
 
+void bind_margins(py::module_& module) {
   py::class_<Margin>(module, "Margin", made_by_armtune(),
                      "A stability margin: how far one quantity can change in one scenario.")
       .def_readonly("kind", &Margin::kind)
@@ -80,6 +83,13 @@ void bind_robustness(py::module_& module) {
       py::arg("workers") = 1, py::arg("progress") = py::none(),
       "Finds the stability margins of the closed loop in each scenario: delay, gain, control rate and "
       "velocity noise.");
+}
+
+}  // namespace
+
+void bind_robustness(py::module_& module) {
+  bind_samples(module);
+  bind_margins(module);
 }
 
 }  // namespace armtune::internal::python

@@ -181,11 +181,7 @@ void bind_evaluator(py::module_& module) {
       "'simbody' for all evaluations; None: the engine in which the study searches.");
 }
 
-}  // namespace
-
-void bind_searches(py::module_& module) {
-  bind_verdict(module);
-  bind_study(module);
+void bind_tuned(py::module_& module) {
   py::class_<Tuned>(module, "Tuned", made_by_armtune(), "The result of a search.")
       .def_readonly("start", &Tuned::start, "The start gains.")
       .def_readonly("best", &Tuned::best, "The best gains; feasible if any evaluated gains were feasible.")
@@ -219,6 +215,9 @@ void bind_searches(py::module_& module) {
       .def_readonly("after", &Tuned::after, "New rollouts of the best gains, without recordings.")
       .def_readonly("verdict", &Tuned::verdict, "Verdict of the simulation checks.")
       .def_readonly("files", &Tuned::files, "Names of the files in the run folder.");
+}
+
+void bind_tune(py::module_& module) {
   module.def(
       "tune",
       [](const Study& study, const MaybePath& folder, bool resume, int workers, bool analysis,
@@ -234,8 +233,9 @@ void bind_searches(py::module_& module) {
       py::arg("progress") = py::none(),
       "Runs a study. The result does not depend on the number of workers. folder: new folder for all files "
       "of the run. analysis: also compute margins, sensitivity, yield and endurance.");
+}
 
-  bind_evaluator(module);
+void bind_front(py::module_& module) {
   py::class_<FrontPoint>(module, "FrontPoint", made_by_armtune(), "One point of a front.")
       .def_readonly("gains", &FrontPoint::gains)
       .def_readonly("values", &FrontPoint::values, "Values of the criteria, in their units.");
@@ -263,6 +263,17 @@ void bind_searches(py::module_& module) {
       "Searches for the Pareto front of two or three criteria. Each criterion is the name of a metric or "
       "'objective'. levels: number of upper bounds to try for each criterion except the first. levels and "
       "max_evaluations: 0 selects the default.");
+}
+
+}  // namespace
+
+void bind_searches(py::module_& module) {
+  bind_verdict(module);
+  bind_study(module);
+  bind_tuned(module);
+  bind_tune(module);
+  bind_evaluator(module);
+  bind_front(module);
 }
 
 }  // namespace armtune::internal::python

@@ -15,7 +15,8 @@ void check_file_name(const std::string& name, const std::string& path, std::size
         fmt::format(
             "the name has {} bytes, which is too long for the names of result files; rename the file to at "
             "most {} bytes",
-            name.size(), longest));
+            name.size(), longest))
+        .with_value(std::to_string(name.size()), fmt::format("at most {} bytes", longest));
   }
   if (is_printable(name)) return;
   throw InputError(InputPlace{path},

@@ -60,19 +60,23 @@ class OpenFile {
 
 }  // namespace
 
+void refuse_large(const std::string& path, std::size_t max_bytes) {
+  const std::size_t megabytes = max_bytes >> 20;
+  throw InputError(InputPlace{path}, fmt::format("larger than {} MB; expected a smaller file", megabytes))
+      .with_value({}, fmt::format("at most {} MB", megabytes));
+}
+
 std::string read_file(const std::string& path, std::size_t max_bytes, const std::string& kind) {
   const auto refuse = [&](const std::string& why) { throw InputError(InputPlace{path}, why); };
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (status.type() == std::filesystem::file_type::not_found) refuse("no such file");
-  if (status.type() == std::filesystem::file_type::directory) refuse("is a directory; expected " + kind);
-  const auto refuse_large = [&] {
-    refuse(fmt::format("larger than {} MB; expected a smaller file", max_bytes >> 20));
-  };
+  if (status.type() == std::filesystem::file_type::directory)
+    throw InputError(InputPlace{path}, InputFault{.problem = "is a directory", .limit = kind});
   std::size_t block = kBlock;
   if (status.type() == std::filesystem::file_type::regular) {
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);
-    if (!ignored && size > max_bytes) refuse_large();
+    if (!ignored && size > max_bytes) refuse_large(path, max_bytes);
     if (!ignored) block = static_cast<std::size_t>(size) + 1;  // not 0, even if the file reports no size
   }
   const OpenFile file(path);
@@ -88,7 +92,7 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
     got = static_cast<std::size_t>(read);
     text.resize(before + got);
   }
-  if (text.size() > max_bytes) refuse_large();
+  if (text.size() > max_bytes) refuse_large(path, max_bytes);
   return text;
 }
 
@@ -100,9 +104,7 @@ std::string read_input_file(const std::string& path, std::size_t max_bytes, cons
         "result files cannot contain; rename it");
   }
   if (Bytes bytes = recorded_input(path)) {
-    if (bytes->size() > max_bytes)
-      throw InputError(InputPlace{path},
-                       fmt::format("larger than {} MB; expected a smaller file", max_bytes >> 20));
+    if (bytes->size() > max_bytes) refuse_large(path, max_bytes);
     return *bytes;
   }
   std::string text = read_file(path, max_bytes, kind);

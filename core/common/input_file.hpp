@@ -14,9 +14,12 @@ namespace armtune::internal {
 /// content in messages, for example "a URDF file".
 std::string read_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
-/// Does the same for a file that the user named. While an InputRecord lives, the file is read once and every
-/// later call returns the same bytes. Also throws InputError if the path is not printable (see is_printable),
-/// because run.yaml, the record of a run's inputs, could not name it.
+/// Throws the InputError for a file that is larger than `max_bytes`.
+[[noreturn]] void refuse_large(const std::string& path, std::size_t max_bytes);
+
+/// Does the same as read_file for a file that the user named. While an InputRecord lives, the file is read
+/// once and every later call returns the same bytes. Also throws InputError if the path is not printable (see
+/// is_printable), because run.yaml, the record of a run's inputs, could not name it.
 std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
 /// Keeps the content of the files that read_input_file reads, for as long as it lives. A run then uses and

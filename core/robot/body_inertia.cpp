@@ -30,6 +30,10 @@ bool is_physical(const LinkInertia& body) {
   return moments[0] >= -slack && moments[0] + moments[1] >= moments[2] - slack;
 }
 
+bool has_inertia_about_axis(const LinkInertia& body) {
+  return body.inertia(2, 2) > 1e-12 * body.inertia.trace();
+}
+
 LinkInertia nearest_physical(const LinkInertia& body) {
   const Mat3 about_center = body.inertia - of_center(body);
   const Mat3 second = 0.5 * about_center.trace() * Mat3::Identity() - about_center;

@@ -20,6 +20,9 @@ Vec3 principal_moments(const LinkInertia& body);
 /// vendors round to five digits.
 bool is_physical(const LinkInertia& body);
 
+/// True if the body has inertia about the z axis of its frame, which is the axis of its joint.
+bool has_inertia_about_axis(const LinkInertia& body);
+
 /// Returns the body with the nearest inertia that a rigid body can have; mass and centre of mass are kept.
 /// Nearest means the smallest change of S in the Frobenius norm. Every eigenvalue of the new S is at least a
 /// thousandth of the largest one.

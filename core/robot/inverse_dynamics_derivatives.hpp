@@ -87,6 +87,68 @@ Matrix<T> twice_B(const Matrix<T>& I, const Vec6T<T>& v) {
   return result;
 }
 
+/// A joint, and the body that it moves.
+template <typename T>
+struct MovedBody {
+  Vec6T<T> S;         ///< motion of the joint at unit velocity
+  Vec6T<T> S_rate;    ///< v_parent x S: change of the velocity along q
+  Vec6T<T> S_rate_2;  ///< a_parent x S + v_parent x (v_parent x S)
+  Vec6T<T> f;         ///< force on the body; later also on all bodies beyond it, as I and B2
+  Matrix<T> I;
+  Matrix<T> B2;
+};
+template <typename T>
+using MovedBodies = std::array<MovedBody<T>, kMaxJoints>;
+
+/// Computes the motion of every joint and body, from the base outwards, and the force on each body alone.
+template <typename T>
+void compute_motion(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
+                    const JointVectorT<T>& qdd, MovedBodies<T>& bodies) {
+  Vec6T<T> v = Vec6T<T>::Zero();
+  Vec6T<T> a;
+  a << Vec3T<T>::Zero(), -chain.gravity;
+  for (int i = 0; i < chain.n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    MovedBody<T>& body = bodies[k];
+    const Vec3T<T> z = poses.R_0B[k].col(2);
+    if (chain.motion[k] == JointMotion::kRevolute) {
+      body.S << z, poses.p_0B[k].cross(z);
+    } else {
+      body.S << Vec3T<T>::Zero(), z;
+    }
+    body.S_rate = cross<T>(v, body.S);
+    body.S_rate_2 = cross<T>(a, body.S) + cross<T>(v, body.S_rate);
+    v += body.S * qd[i];
+    a += body.S * qdd[i] + body.S_rate * qd[i];
+    body.I = inertia<T>(chain.link[k], poses.R_0B[k], poses.p_0B[k]);
+    body.B2 = twice_B<T>(body.I, v);
+    body.f = body.I * a + cross_force<T>(v, Vec6T<T>(body.I * v));
+  }
+}
+
+/// Writes row i and column i of the derivatives, up to the diagonal, without friction and rotors. bodies[i]
+/// must contain the sums over the body itself and the bodies beyond it.
+template <typename T>
+void write_derivatives(const MovedBodies<T>& bodies, int i, InverseDynamicsDerivativesT<T>& out) {
+  const MovedBody<T>& body = bodies[static_cast<std::size_t>(i)];
+  // Change of the forces on the bodies beyond joint i, along the motion of joint i.
+  const Vec6T<T> own_rate = Vec6T<T>(T(2) * body.S_rate);  // v_i x S_i = v_parent x S_i
+  const Vec6T<T> along_q = body.B2 * body.S_rate + body.I * body.S_rate_2 + cross_force<T>(body.S, body.f);
+  const Vec6T<T> along_qd = body.B2 * body.S + body.I * own_rate;
+  const Vec6T<T> along_qdd = body.I * body.S;
+  // The same matrix, multiplied from the left: change of joint i's torque along the joints before it.
+  const Vec6T<T> left_B = body.B2.transpose() * body.S;
+  for (int j = 0; j <= i; ++j) {
+    const MovedBody<T>& before = bodies[static_cast<std::size_t>(j)];
+    out.by_q(j, i) = before.S.dot(along_q);
+    out.by_qd(j, i) = before.S.dot(along_qd);
+    out.by_qdd(j, i) = out.by_qdd(i, j) = before.S.dot(along_qdd);
+    if (j == i) continue;
+    out.by_q(i, j) = left_B.dot(before.S_rate) + along_qdd.dot(before.S_rate_2);
+    out.by_qd(i, j) = left_B.dot(before.S) + T(2) * along_qdd.dot(before.S_rate);
+  }
+}
+
 }  // namespace spatial
 
 /// Computes tau and its derivatives. qd: q' (n) [rad/s, m/s]. qdd: q'' (n) [rad/s^2, m/s^2]. poses: from
@@ -95,63 +157,27 @@ template <typename T>
 void inverse_dynamics_derivatives(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                                   const JointVectorT<T>& qdd, InverseDynamicsDerivativesT<T>& out) {
   const int n = chain.n;
-  std::array<Vec6T<T>, kMaxJoints> S;         // motion of joint i at unit velocity
-  std::array<Vec6T<T>, kMaxJoints> S_rate;    // v_parent x S: change of the velocity along q
-  std::array<Vec6T<T>, kMaxJoints> S_rate_2;  // a_parent x S + v_parent x (v_parent x S)
-  std::array<Vec6T<T>, kMaxJoints> f;         // force on the body; later also on all bodies beyond it
-  std::array<spatial::Matrix<T>, kMaxJoints> I;
-  std::array<spatial::Matrix<T>, kMaxJoints> B2;
-  Vec6T<T> v = Vec6T<T>::Zero();
-  Vec6T<T> a;
-  a << Vec3T<T>::Zero(), -chain.gravity;
-  for (int i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Vec3T<T> z = poses.R_0B[k].col(2);
-    if (chain.motion[k] == JointMotion::kRevolute) {
-      S[k] << z, poses.p_0B[k].cross(z);
-    } else {
-      S[k] << Vec3T<T>::Zero(), z;
-    }
-    S_rate[k] = spatial::cross<T>(v, S[k]);
-    S_rate_2[k] = spatial::cross<T>(a, S[k]) + spatial::cross<T>(v, S_rate[k]);
-    v += S[k] * qd[i];
-    a += S[k] * qdd[i] + S_rate[k] * qd[i];
-    I[k] = spatial::inertia<T>(chain.link[k], poses.R_0B[k], poses.p_0B[k]);
-    B2[k] = spatial::twice_B<T>(I[k], v);
-    f[k] = I[k] * a + spatial::cross_force<T>(v, Vec6T<T>(I[k] * v));
-  }
+  spatial::MovedBodies<T> bodies;
+  spatial::compute_motion<T>(chain, poses, qd, qdd, bodies);
   out.tau.resize(n);
   out.by_q.resize(n, n);
   out.by_qd.resize(n, n);
   out.by_qdd.resize(n, n);
   for (int i = n - 1; i >= 0; --i) {
     const auto k = static_cast<std::size_t>(i);
-    // Change of the forces on the bodies beyond joint i, along the motion of joint i.
-    const Vec6T<T> own_rate = Vec6T<T>(T(2) * S_rate[k]);  // v_i x S_i = v_parent x S_i
-    const Vec6T<T> along_q = B2[k] * S_rate[k] + I[k] * S_rate_2[k] + spatial::cross_force<T>(S[k], f[k]);
-    const Vec6T<T> along_qd = B2[k] * S[k] + I[k] * own_rate;
-    const Vec6T<T> along_qdd = I[k] * S[k];
-    // The same matrix, multiplied from the left: change of joint i's torque along the joints before it.
-    const Vec6T<T> left_B = B2[k].transpose() * S[k];
-    out.tau[i] = S[k].dot(f[k]) + chain.rotor_inertia[i] * qdd[i] + chain.viscous_friction[i] * qd[i] +
-                 chain.coulomb_friction[i] * coulomb_direction(qd[i]);
-    for (int j = 0; j <= i; ++j) {
-      const auto l = static_cast<std::size_t>(j);
-      out.by_q(j, i) = S[l].dot(along_q);
-      out.by_qd(j, i) = S[l].dot(along_qd);
-      out.by_qdd(j, i) = out.by_qdd(i, j) = S[l].dot(along_qdd);
-      if (j == i) continue;
-      out.by_q(i, j) = left_B.dot(S_rate[l]) + along_qdd.dot(S_rate_2[l]);
-      out.by_qd(i, j) = left_B.dot(S[l]) + T(2) * along_qdd.dot(S_rate[l]);
-    }
+    const spatial::MovedBody<T>& body = bodies[k];
     const T direction = coulomb_direction(qd[i]);
+    out.tau[i] = body.S.dot(body.f) + chain.rotor_inertia[i] * qdd[i] + chain.viscous_friction[i] * qd[i] +
+                 chain.coulomb_friction[i] * direction;
+    spatial::write_derivatives<T>(bodies, i, out);
     out.by_qd(i, i) += chain.viscous_friction[i] +
                        chain.coulomb_friction[i] * (T(1) - direction * direction) / T(kCoulombVelocity);
     out.by_qdd(i, i) += chain.rotor_inertia[i];
     if (i > 0) {
-      f[k - 1] += f[k];
-      I[k - 1] += I[k];
-      B2[k - 1] += B2[k];
+      spatial::MovedBody<T>& parent = bodies[k - 1];
+      parent.f += body.f;
+      parent.I += body.I;
+      parent.B2 += body.B2;
     }
   }
 }

@@ -137,7 +137,7 @@ void Checker::link(int i) const {
           "(triangle inequality)",
           link, moments[0], moments[1], moments[2]);
   if (model_.chain.motion[k] == JointMotion::kRevolute)
-    require(I_B(2, 2) > 1e-12 * I_B.trace(),
+    require(has_inertia_about_axis(body),
             "link '{}': inertia about the axis of joint '{}' is {:.6g} kg m^2; the link turns about it, so "
             "it must be > 0",
             link, model_.joints[k].name, I_B(2, 2));

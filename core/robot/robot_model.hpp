@@ -46,6 +46,12 @@ struct RobotModel {
   bool compensates_gravity = false;
   /// Gains of the joints' drives, n each, for velocity commands (velocity_drive.hpp). Empty: not known.
   JointVector drive_velocity_gain, drive_velocity_integral;
+  JointVector
+      drive_position_gain;  ///< of the loops in front of them, n [1/s] (joint_drives.hpp); may be empty
+  /// Largest change of each drive's torque per second, n [N m/s, N/s], and the time by which it acts late,
+  /// n [s] (drive_output.hpp). Empty: no limit, no delay.
+  JointVector drive_torque_rate, drive_delay;
+  double drive_rate = 0.0;  ///< lowest rate of the drives [Hz]; 0: not known
   Chain chain;
 
   int n() const { return chain.n; }

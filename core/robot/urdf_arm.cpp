@@ -44,9 +44,9 @@ class ArmBuilder {
     place_links(tree);
     if (!loose_.empty()) refuse_loose();
     refuse_unused();
-    if (missing_ != nullptr) find_massless();
-    link_inertias_.judge(model_.chain, model_.source, missing_);
     if (model_.n() > 0) place_tool();
+    link_inertias_.judge(model_.chain, model_.source, missing_);
+    if (missing_ != nullptr) find_massless();
     validate(model_);
     return std::move(model_);
   }
@@ -280,9 +280,9 @@ class ArmBuilder {
 
   void add_inertia(const UrdfLink& link, const Site& site) {
     if (const auto told = options_.inertia.find(link.name); told != options_.inertia.end()) {
-      link_inertias_.add(link.name, in_link_frame(told->second), site, model_.chain);
+      link_inertias_.add(link.name, told->second, site, model_.chain);
     } else if (link.inertial) {
-      link_inertias_.add(link.name, inertia_of(link, model_.source), site, model_.chain);
+      link_inertias_.add(link, site, model_.chain);
     }
   }
 
@@ -311,8 +311,7 @@ class ArmBuilder {
   /// Adds the tool's inertia and shapes to the last body.
   void mount_tool() {
     const Site at_tool{model_.n() - 1, model_.chain.R_BT, model_.chain.p_BT};
-    if (options_.tool_inertia)
-      link_inertias_.add("tool", in_link_frame(*options_.tool_inertia), at_tool, model_.chain);
+    if (options_.tool_inertia) add_to_body(in_link_frame(*options_.tool_inertia), at_tool, model_.chain);
     add_shapes("tool", options_.tool_shapes, at_tool);
   }
 

@@ -47,11 +47,18 @@ struct UrdfOptions {
   std::map<std::string, std::vector<Shape>> shapes;
 };
 
-/// A link with an inertia that no rigid body has, and a proposed replacement.
+/// A link with an inertia that no moving rigid body has, and a proposed replacement.
 struct ImpossibleInertia {
   std::string link;
-  GivenInertia nearest;
-  double moved = 0.0;  ///< change by the replacement, relative to the given inertia (Frobenius norms)
+  int joint = 0;         ///< index of the joint that moves the link
+  std::string fault;     ///< the impossible value as text, such as "mass -2 kg"
+  GivenInertia nearest;  ///< the nearest possible inertia; its mass or its moments are zero if there is none
+  double moved = 0.0;    ///< change of the moments, relative to those given (Frobenius norms)
+
+  bool has_moments() const { return !nearest.about_center.isZero(0.0); }
+  /// False if the user must give the mass or the moments. A negative mass has no nearest one above zero, and
+  /// moments that are all zero leave open which of them to raise.
+  bool is_complete() const { return nearest.mass > 0.0 && has_moments(); }
 };
 
 /// Data of the arm that are missing or wrong in the file, and that the options do not give either.

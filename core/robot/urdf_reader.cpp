@@ -168,13 +168,13 @@ UrdfTree read_tree(const std::string& path) {
 
 }  // namespace
 
-RobotModel read_urdf(const std::string& path, const UrdfOptions& options) {
-  return build_arm(read_tree(path), options, path);
+RobotModel read_urdf(const std::string& path, const UrdfOptions& options, MissingData* missing) {
+  return build_arm(read_tree(path), options, path, missing);
 }
 
 MissingData missing_data(const std::string& path, const UrdfOptions& options) {
   MissingData missing;
-  build_arm(read_tree(path), options, path, &missing);
+  read_urdf(path, options, &missing);
   return missing;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -37,6 +38,21 @@ std::optional<std::string_view> attribute_of(std::string_view body, std::string_
     return body.substr(quote + 1, body.find(body[quote], quote + 1) - quote - 1);
   }
   return std::nullopt;
+}
+
+/// Returns the name of the URDF that the expansion of a xacro file could have, in the current folder:
+/// `arm.urdf` for `arm.urdf.xacro` and `arm.xacro`, `arm_expanded.urdf` for `arm.urdf`.
+std::string expanded_name(const std::string& path) {
+  const std::filesystem::path name = std::filesystem::path(path).filename();
+  const bool is_xacro = name.extension() == ".xacro";
+  const std::filesystem::path rest = is_xacro ? name.stem() : name;
+  const std::string stem = (rest.extension() == ".urdf" ? rest.stem() : rest).string();
+  return stem + (is_xacro ? ".urdf" : "_expanded.urdf");
+}
+
+/// Returns the path as an argument of a command that a user can copy into a shell.
+std::string argument(const std::string& path) {
+  return path.find(' ') == kEnd ? path : "'" + path + "'";
 }
 
 /// Checks all tags in one pass, without recursion. It reads tags as tinyxml does: quoted text inside tags is
@@ -78,10 +94,9 @@ class Scanner {
   }
 
   [[noreturn]] void refuse_xacro(std::size_t at, std::string_view found) const {
-    refuse(at,
-           "'{}': this is xacro, not URDF; expand it first: xacro FILE.urdf.xacro > FILE.urdf "
-           "(ROS 2: ros2 run xacro xacro FILE.urdf.xacro > FILE.urdf)",
-           found);
+    const std::string command = fmt::format("xacro {} > {}", argument(path_), argument(expanded_name(path_)));
+    refuse(at, "'{}': this is xacro, not URDF; expand it first: {} (ROS 2: ros2 run xacro {})", found,
+           command, command);
   }
 
   std::size_t end_of(std::size_t at, std::size_t opening, std::string_view mark) const {

@@ -15,14 +15,16 @@ JointSpline::JointSpline(std::vector<double> time, std::vector<MotionPoint<Joint
   if (time_.size() < 2 || time_.size() != knots_.size()) {
     throw InputError(
         fmt::format("a joint motion has {} times and {} knots; give the same number of both, at least two",
-                    time_.size(), knots_.size()));
+                    time_.size(), knots_.size()))
+        .with_value(std::to_string(time_.size()), "as many times as knots, at least 2");
   }
   for (std::size_t k = 1; k < time_.size(); ++k) {
     if (time_[k] > time_[k - 1]) continue;
     throw InputError(
         fmt::format("knot {} of a joint motion is at {} s, but the knot before it is at {} s; times must "
                     "increase",
-                    k, time_[k], time_[k - 1]));
+                    k, time_[k], time_[k - 1]))
+        .with_value(fmt::to_string(time_[k]), fmt::format("above {}", time_[k - 1]));
   }
 }
 

@@ -26,10 +26,10 @@ PositionSpline::PositionSpline(const std::vector<double>& time, const std::vecto
                                bool loops)
     : time_(time), knots_(knots), loops_(loops) {
   if (time_.size() < 2 || time_.size() != knots_.size()) {
-    throw InputError(
-        fmt::format("a motion has {} times and {} knots; give the same number of both, at least "
-                    "two",
-                    time_.size(), knots_.size()));
+    throw InputError(fmt::format("a motion has {} times and {} knots; give the same number of both, at least "
+                                 "two",
+                                 time_.size(), knots_.size()))
+        .with_value(std::to_string(time_.size()), "as many times as knots, at least 2");
   }
   for (std::size_t k = 1; k < time_.size(); ++k) {
     const double duration = time_[k] - time_[k - 1];
@@ -37,7 +37,8 @@ PositionSpline::PositionSpline(const std::vector<double>& time, const std::vecto
       throw InputError(
           fmt::format("knot {} of a motion is at {} s, but the knot before it is at {} s; times must "
                       "increase",
-                      k, time_[k], time_[k - 1]));
+                      k, time_[k], time_[k - 1]))
+          .with_value(fmt::to_string(time_[k]), fmt::format("above {}", time_[k - 1]));
     }
     pieces_.emplace_back(knots_[k - 1], knots_[k], duration);
   }

@@ -18,6 +18,8 @@ class InputError(Error, ValueError):
     file: str | None
     line: int | None
     key: str | None
+    value: str | None
+    limit: str | None
 
 class FailedError(Error): ...
 

@@ -103,49 +103,69 @@ class Reader : public JointParameters {
           "not simulate; set it to 'splines', or remove it");
   }
 
-  /// Returns the largest contribution of the integral. Throws InputError if it depends on the direction.
-  double clamp(const std::string& joint) const {
-    const double both = of_joint(joint, "i_clamp", kUnbounded);
-    const double most = of_joint(joint, "i_clamp_max", both);
-    const double least = of_joint(joint, "i_clamp_min", -both);
+  /// Returns the sizes of the bounds of the integral's contribution, for the largest and for the smallest
+  /// one.
+  std::pair<double, double> clamps(const std::string& joint) const {
+    const bool each = rules_.has_bounds_of_integral;
+    refuse_missing_clamp(joint);
+    const double both = of_joint(joint, "i_clamp", rules_.unbounded_by_default ? kUnbounded : 0.0);
+    const double most = each ? of_joint(joint, "i_clamp_max", both) : both;
+    const double least = each ? of_joint(joint, "i_clamp_min", -both) : -both;
     const double upper = std::isfinite(most) ? most : both;
     const double lower = std::isfinite(least) ? least : -both;
     const int line = controller().parameters->find("gains")->line;
     if (controller().ros2 && (upper < 0.0 || lower > 0.0))
       fail(line, fmt::format("the integral of {} is clamped to [{}, {}]; this range must contain 0", joint,
                              lower, upper));
-    if (std::abs(upper) != std::abs(lower)) {
+    if (lower == 0.0 && upper != 0.0) {
       fail(line,
-           fmt::format("the integral of {} is clamped to [{}, {}]; armtune simulates only clamps of the same "
-                       "size in both directions",
+           fmt::format("the integral of {} is clamped to [{}, {}]; armtune cannot simulate a lower bound "
+                       "of 0 below an upper one above 0; give i_clamp_min below 0",
                        joint, lower, upper));
     }
-    if (std::isfinite(upper)) return std::abs(upper);
-    // A file with a strategy is for ROS 2 Jazzy or later, which clamps nothing by default.
-    const bool said = of_joint(joint, "i_clamp") != nullptr || of_joint(joint, "i_clamp_max") != nullptr ||
-                      of_joint(joint, "antiwindup_strategy") != nullptr;
-    if (of_joint(joint, "i", 0.0) != 0.0 && !said) {
-      fail(line,
-           fmt::format("{} has an i but no i_clamp; ROS 1 and ROS 2 Humble then clamp the integral to 0, and "
-                       "Jazzy does not clamp it. Give i_clamp; .inf means no clamp",
-                       joint));
-    }
-    return kNoClamp;
+    return {std::min(std::abs(upper), kNoClamp), std::min(std::abs(lower), kNoClamp)};
   }
 
-  void refuse_wraparound(const std::string& joint) const {
-    if (const PlacedValue* wraps = of_joint(joint, "angle_wraparound")) {
-      if (wraps->text == "true" || wraps->text == "True")
-        fail(wraps->line,
-             fmt::format("armtune does not simulate the angle_wraparound of {}; set it to false (a joint "
-                         "without limits takes the short way round in any case)",
-                         joint));
-    }
+  /// Throws InputError if the joint has an integral gain, but no clamp where that does not mean "no clamp".
+  void refuse_missing_clamp(const std::string& joint) const {
+    const auto has = [&](const char* key) { return of_joint(joint, key) != nullptr; };
+    if (of_joint(joint, "i", 0.0) == 0.0 || has("i_clamp")) return;
+    if (rules_.has_bounds_of_integral && (has("i_clamp_max") || has("i_clamp_min"))) return;
+    const int line = controller().parameters->find("gains")->line;
+    if (!rules_.unbounded_by_default)
+      fail(line,
+           fmt::format("{} has an i but no i_clamp, so {} clamps the integral to 0 and i has no effect; "
+                       "give i_clamp, where .inf means no clamp",
+                       joint, rules_.title));
+    // A file with a strategy is for ROS 2 Jazzy or later.
+    if (!controller().distro && !has("antiwindup_strategy"))
+      fail(line,
+           fmt::format("{} has an i but no i_clamp; ROS 2 Humble then clamps the integral to 0, and Jazzy "
+                       "does not clamp it. Give i_clamp, where .inf means no clamp, or --distro jazzy",
+                       joint));
+  }
+
+  bool is_true(const std::string& joint, const char* key) const {
+    const PlacedValue* value = of_joint(joint, key);
+    return value != nullptr && (value->text == "true" || value->text == "True");
+  }
+
+  /// Returns true if the file asks for the shorter way round for the joint, where this is a parameter.
+  bool wraps(const std::string& joint) const {
+    if (rules_.wraparound == Wraparound::kAsParameter)
+      return is_true(joint, "angle_wraparound") || is_true(joint, "normalize_error");
+    if (controller().ros2 && is_true(joint, "angle_wraparound"))
+      fail(of_joint(joint, "angle_wraparound")->line,
+           fmt::format("{} does not have the angle_wraparound of {}; set it to false (a joint without limits "
+                       "takes the short way round in any case), or give --distro humble",
+                       rules_.title, joint));
+    return false;
   }
 
   /// Returns the sizes of the bounds of the output, for the largest and for the smallest output. Throws
   /// InputError if the range between them does not contain 0.
   std::pair<double, double> output_clamps(const std::string& joint) const {
+    if (!rules_.has_strategies) return {kNoClamp, kNoClamp};
     const double upper = of_joint(joint, "u_clamp_max", kUnbounded);
     const double lower = of_joint(joint, "u_clamp_min", -kUnbounded);
     if (upper < 0.0 || lower > 0.0)
@@ -155,10 +175,10 @@ class Reader : public JointParameters {
     return {std::min(upper, kNoClamp), std::min(-lower, kNoClamp)};
   }
 
-  /// Returns a number that may not be negative; 0 if the file does not give it.
+  /// Returns a number of the anti-windup that may not be negative; 0 if the file does not give it.
   double not_negative(const std::string& joint, const char* key) const {
     const PlacedValue* value = of_joint(joint, key);
-    if (value == nullptr) return 0.0;
+    if (value == nullptr || !rules_.has_strategies) return 0.0;
     const double given = finite(*value, fmt::format("gains/{}/{}", joint, key));
     if (given < 0.0)
       fail(value->line, fmt::format("{} of {} is {}; it may not be negative", key, joint, given));
@@ -167,23 +187,31 @@ class Reader : public JointParameters {
 
   /// Returns the number of the kind of anti-windup (gain jtc_antiwindup).
   double anti_windup(const std::string& joint) const {
-    if (const PlacedValue* strategy = of_joint(joint, "antiwindup_strategy")) {
+    const PlacedValue* strategy = of_joint(joint, "antiwindup_strategy");
+    if (strategy != nullptr && rules_.has_strategies) {
       const auto* const found = std::find(kStrategies.begin(), kStrategies.end(), strategy->text);
       if (found == kStrategies.end())
         fail(strategy->line, fmt::format("antiwindup_strategy of {} is {}; expected one of {}", joint,
                                          shown(strategy->text), fmt::join(kStrategies, ", ")));
       return 1.0 + static_cast<double>(found - kStrategies.begin());
     }
-    if (controller().ros2) return 1.0;
+    if (controller().ros2) return rules_.has_strategies ? 1.0 : 0.0;
     const PlacedValue* given = of_joint(joint, "antiwindup");
     if (given == nullptr || given->text == "false" || given->text == "False") return 0.0;
     if (given->text == "true" || given->text == "True") return 1.0;
     fail(given->line,
          fmt::format("antiwindup of {} is {}; expected true or false", joint, shown(given->text)));
   }
+
+ private:
+  const RosRules& rules_ = rules_of(distro_of(controller()));
 };
 
 }  // namespace
+
+RosDistro distro_of(const RosController& controller) {
+  return controller.distro.value_or(controller.ros2 ? RosDistro::kJazzy : RosDistro::kNoetic);
+}
 
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints) {
@@ -203,11 +231,13 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
       jtc_gain(gains, name)[k] =
           value == nullptr ? 0.0 : reader.finite(*value, fmt::format("gains/{}/{}", joint, name));
     }
-    jtc_gain(gains, "i_clamp")[k] = reader.clamp(joint);
+    const auto [upper, lower] = reader.clamps(joint);
+    jtc_gain(gains, "i_clamp")[k] = upper;
+    jtc_gain(gains, "i_clamp_min")[k] = lower == upper ? 0.0 : lower;
     const PlacedValue* forward = reader.feed_forward(joint);
     jtc_gain(gains, "ff_velocity_scale")[k] =
         forward == nullptr ? 0.0 : reader.finite(*forward, "feed-forward of " + joint);
-    reader.refuse_wraparound(joint);
+    jtc_gain(gains, "angle_wraparound")[k] = reader.wraps(joint) ? 1.0 : 0.0;
     std::tie(jtc_gain(gains, "u_clamp_max")[k], jtc_gain(gains, "u_clamp_min")[k]) =
         reader.output_clamps(joint);
     jtc_gain(gains, "tracking_time")[k] = reader.not_negative(joint, "tracking_time_constant");
@@ -222,6 +252,7 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
     anti_windup = own_anti_windup;
   }
   jtc_gain(gains, "antiwindup")[0] = anti_windup.value_or(1.0);
+  jtc_gain(gains, "distro")[0] = static_cast<double>(distro_of(controller));
   return gains;
 }
 
@@ -237,8 +268,9 @@ std::vector<PlacedGain> placed_trajectory_gains(const RosController& controller,
     };
     for (const char* name : kGainNames) add(name, jtc_gain(gains, name)[place]);
     const double clamp = jtc_gain(gains, "i_clamp")[place];
-    for (const auto& [key, sign] : {std::pair{"i_clamp", 1.0}, {"i_clamp_max", 1.0}, {"i_clamp_min", -1.0}})
-      add(key, sign * clamp);
+    add("i_clamp", clamp);
+    add("i_clamp_max", clamp);
+    add("i_clamp_min", -jtc_lower_i_clamp(gains, place));
     placed.push_back({parameters.feed_forward(joint), "feed-forward of " + joint,
                       jtc_gain(gains, "ff_velocity_scale")[place]});
   }

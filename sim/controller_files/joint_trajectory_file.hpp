@@ -11,14 +11,19 @@
 
 namespace armtune::internal {
 
+/// Returns the distribution of ROS whose rules the controller follows: the one that is given, else Jazzy for
+/// ROS 2 and Noetic for ROS 1.
+RosDistro distro_of(const RosController& controller);
+
 /// Returns the gains for an arm with these joints, in their order. Parameters that are neither gains nor in
 /// the following list are ignored. Throws InputError "FILE:LINE: what" if:
 ///   - the file lacks a joint of the arm or has a joint that the arm lacks, or a value is not a number,
 ///   - the controller's commands are neither efforts alone nor velocities alone,
-///   - a parameter requires something that armtune does not simulate: an integral clamp that differs in the
-///     two directions, anti-windup of some joints only, angle wraparound, or open-loop control by velocities,
-///   - a joint has an integral gain and neither a clamp nor an antiwindup_strategy, which ROS distributions
-///     treat differently.
+///   - a parameter requires something that armtune does not simulate: an upper clamp of the integral without
+///     a lower one, anti-windup of some joints only, angle wraparound under Jazzy, or open-loop control by
+///     velocities,
+///   - a joint has an integral gain and no clamp, and this means a clamp of 0, or the distribution is not
+///     given and distributions differ in its meaning.
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/control/gains.hpp"
 #include "sim/controller_files/ros_controllers.hpp"
 
 namespace armtune::internal {
@@ -17,9 +18,20 @@ struct ParameterFile {
 };
 
 /// Reads the file at `path`, or the file that it binds gains to if it is a map. node: name of the controller
-/// in a ROS parameter file; empty: the only one. Returns nothing if it is neither a map nor a ROS parameter
-/// file with controllers. Throws InputError if a file cannot be read, or has no such controller.
-std::optional<ParameterFile> read_parameter_file(const std::string& path, const std::string& node = {});
+/// in a ROS parameter file; empty: the only one. distro: see set_distro. Returns nothing if it is neither a
+/// map nor a ROS parameter file with controllers. Throws InputError if a file cannot be read, or has no such
+/// controller, or if the distribution does not fit it.
+std::optional<ParameterFile> read_parameter_file(const std::string& path, const std::string& node = {},
+                                                 std::optional<RosDistro> distro = {});
+
+/// Reads a file into which these gains are to be written. Its joint trajectory controller follows the
+/// distribution of ROS that the gains follow. Throws InputError as read_parameter_file does, and if it would
+/// return nothing.
+ParameterFile parameter_file_for(const Gains& gains, const std::string& path, const std::string& node);
+
+/// Sets the distribution of ROS whose rules the controller follows. Throws InputError if it is not a joint
+/// trajectory controller with parameters of that version of ROS.
+void set_distro(ParameterFile& file, RosDistro distro);
 
 /// Returns the files that gains are read from: `path`, and the file that it binds gains to if it is a map.
 /// Throws InputError as read_parameter_file does.

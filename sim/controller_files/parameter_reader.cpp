@@ -29,6 +29,12 @@ void ParameterReader::fail(int line, const std::string& what) const {
   throw InputError(at_line(file_, line, controller_.name), fmt::format("{}: {}", controller_.name, what));
 }
 
+InputError ParameterReader::error(const yaml::PlacedValue& value, const std::string& problem,
+                                  const std::string& limit) const {
+  return {at_line(file_, value.line, controller_.name),
+          InputFault{fmt::format("{}: {}", controller_.name, problem), value.text, limit}};
+}
+
 double ParameterReader::number(const yaml::PlacedValue& value, const std::string& what) const {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   std::string_view text = value.text;
@@ -42,15 +48,14 @@ double ParameterReader::number(const yaml::PlacedValue& value, const std::string
         !size.starts_with('-') && value.has_place() && is_same_to_all(size, controller_.ros2))
       return minus ? -number : number;
   }
-  fail(value.line,
-       fmt::format("{} is {}; expected a plain number without quotes, tags or leading zeros{}", what,
-                   shown(value.text), controller_.ros2 ? "" : ", with a decimal point before an exponent"));
+  throw error(value, fmt::format("{} is {}", what, shown(value.text)),
+              fmt::format("a plain number without quotes, tags or leading zeros{}",
+                          controller_.ros2 ? "" : ", with a decimal point before an exponent"));
 }
 
 double ParameterReader::finite(const yaml::PlacedValue& value, const std::string& what) const {
   const double found = number(value, what);
-  if (!std::isfinite(found))
-    fail(value.line, fmt::format("{} is {}; expected a finite number", what, value.text));
+  if (!std::isfinite(found)) throw error(value, fmt::format("{} is {}", what, value.text), "a finite number");
   return found;
 }
 

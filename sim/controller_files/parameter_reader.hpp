@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "armtune/error.hpp"
 #include "sim/controller_files/ros_controllers.hpp"
 
 namespace armtune::internal {
@@ -25,6 +26,9 @@ class ParameterReader {
   double finite(const yaml::PlacedValue& value, const std::string& what) const;
 
  private:
+  InputError error(const yaml::PlacedValue& value, const std::string& problem,
+                   const std::string& limit) const;
+
   const RosController& controller_;
   const std::string& file_;
 };

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/control/laws/ros_distro.hpp"
 #include "sim/yaml/placed_value.hpp"
 
 namespace armtune::internal {
@@ -31,6 +32,7 @@ struct RosController {
   std::string name;  ///< name of its node: "arm_controller", "/left/arm_controller"
   std::string type;  ///< "joint_trajectory_controller/JointTrajectoryController"; empty: not in the file
   bool ros2 = false;
+  std::optional<RosDistro> distro = {};  ///< whose rules a joint trajectory controller follows, if given
   GainLayout layout = GainLayout::kPidByJoint;
   yaml::Placed parameters;  ///< the map that contains the gains
   yaml::Placed all;         ///< the whole file

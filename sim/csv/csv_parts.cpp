@@ -22,7 +22,8 @@ void refuse_two_of_one_name(const std::vector<std::string>& header, const std::s
   for (const std::string& name : header) {
     if (seen.insert(name).second) continue;
     throw InputError(at_line(file, 1, name),
-                     fmt::format("two columns are called {}; remove or rename one", shown(name)));
+                     fmt::format("two columns are called {}; remove or rename one", shown(name)))
+        .with_value(name, "one column of each name");
   }
 }
 
@@ -34,7 +35,8 @@ std::vector<std::string> read_csv_header(CsvCells& cells, const std::string& tex
   while (cells.next(cell)) {
     header.emplace_back(text, cell.begin, cell.end - cell.begin);
     if (header.size() > kMaxColumns) {
-      throw InputError(at_line(file, 1), fmt::format("more than {} columns; is it a CSV file?", kMaxColumns));
+      throw InputError(at_line(file, 1), fmt::format("more than {} columns; is it a CSV file?", kMaxColumns))
+          .with_value({}, fmt::format("at most {} columns", kMaxColumns));
     }
     if (cell.last_of_row) break;
   }
@@ -59,7 +61,8 @@ std::size_t csv_column(const std::vector<std::string>& header, const std::string
                        std::string_view name) {
   if (const auto found = find_csv_column(header, name)) return *found;
   throw InputError(at_line(file, 1, std::string(name)),
-                   fmt::format("no column '{}'{}", name, suggestion(name, header)));
+                   fmt::format("no column '{}'{}", name, suggestion(name, header)))
+      .with_value({}, fmt::format("a column '{}'", name));
 }
 
 double csv_number(std::string_view cell, const std::string& file, std::size_t line,
@@ -70,7 +73,8 @@ double csv_number(std::string_view cell, const std::string& file, std::size_t li
   const auto [read, error] = std::from_chars(cell.data(), end, value);
   if (read != end || error != std::errc())
     throw InputError(at_line(file, line, column),
-                     fmt::format("{} in column {} is not a number", shown(cell), column));
+                     fmt::format("{} in column {} is not a number", shown(cell), column))
+        .with_value(std::string(cell), "a number");
   return value;
 }
 
@@ -78,7 +82,8 @@ void refuse_csv_row(const std::string& file, std::size_t line, std::size_t cells
   throw InputError(at_line(file, line),
                    fmt::format("the row has {} cells, but the header has {}; give every row as many "
                                "cells as the header",
-                               cells, header));
+                               cells, header))
+      .with_value(std::to_string(cells), fmt::format("{} cells", header));
 }
 
 void refuse_open_quote(const CsvCells& cells, const std::string& file) {

@@ -47,8 +47,8 @@ void CsvTable::read_rows(CsvCells& cells, CsvOrigin origin) {
   const std::size_t width = header_.size();
   const std::size_t most = count_separators(text_) + 1;
   if (most > kMaxCells) {
-    throw InputError(InputPlace{name_},
-                     fmt::format("more than {} cells; expected a smaller file", kMaxCells));
+    throw InputError(InputPlace{name_}, fmt::format("more than {} cells; expected a smaller file", kMaxCells))
+        .with_value({}, fmt::format("at most {} cells", kMaxCells));
   }
   begin_.reserve(most);
   end_.reserve(most);

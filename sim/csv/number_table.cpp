@@ -54,7 +54,8 @@ NumberTable NumberTable::read(const std::string& path, const std::function<bool(
     text.erase(0, end);
     if (text.size() > kMaxRowBytes) {
       throw InputError(at_line(path, table.place_.empty() ? 1 : table.rows_ + 2),
-                       fmt::format("a row of more than {} MB; is it a CSV file?", kMaxRowBytes >> 20));
+                       fmt::format("a row of more than {} MB; is it a CSV file?", kMaxRowBytes >> 20))
+          .with_value({}, fmt::format("at most {} MB", kMaxRowBytes >> 20));
     }
   }
   if (file.bad()) throw InputError(InputPlace{path}, "cannot be read");
@@ -90,7 +91,8 @@ void NumberTable::take(std::string rows, const std::function<bool(std::string_vi
     in_row = 0;
     if (++rows_ * std::max<std::size_t>(1, header_.size()) > kMaxCells)
       throw InputError(InputPlace{name_},
-                       fmt::format("more than {} numbers; expected a smaller file", kMaxCells));
+                       fmt::format("more than {} numbers; expected a smaller file", kMaxCells))
+          .with_value({}, fmt::format("at most {} numbers", kMaxCells));
   }
 }
 

@@ -8,7 +8,8 @@ Engine engine_from_name(const std::string& text) {
   for (const Engine engine : kEngines) {
     if (text == name(engine)) return engine;
   }
-  throw InputError("engine '" + text + "' is not known; use simbody or native");
+  throw InputError("engine '" + text + "' is not known; use simbody or native")
+      .with_value(text, "simbody or native");
 }
 
 }  // namespace armtune::internal

@@ -8,8 +8,8 @@ Stepper stepper_from_name(const std::string& text) {
   for (const Stepper stepper : kSteppers) {
     if (text == name(stepper)) return stepper;
   }
-  throw InputError("stepper '" + text +
-                   "' is not known; use midpoint, semi_implicit_euler, rk4 or reference");
+  const std::string limit = "midpoint, semi_implicit_euler, rk4 or reference";
+  throw InputError("stepper '" + text + "' is not known; use " + limit).with_value(text, limit);
 }
 
 }  // namespace armtune::internal

@@ -20,13 +20,14 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
   const PlantConditions& conditions = scenario.plant;
   Controller controller(scenario.robot, with_goal(gains, scenario), prepared_->theta_start,
                         scenario.control_period, scenario.mask,
-                        {drive_frequency(conditions.rate), conditions.torque_delay_periods});
+                        {drive_frequency(*scenario.robot, conditions.rate), conditions.torque_delay_periods});
   // Commands for drives are late on their way to the drives, which then act at once.
   RunningRollout running(*prepared_, gains.slerpAngularErrorThreshold, limits,
                          controller.has_drives() ? 0 : conditions.torque_delay_periods,
                          controller.drive_steps());
-  const int steps =
-      controller.has_drives() ? controller.drive_steps() : steps_in(scenario.control_period, conditions.rate);
+  // The arm takes whole steps in each period of the drives, and without drives in each control period.
+  const int held = steps_in(scenario.control_period / controller.drive_steps(), conditions.rate);
+  const int steps = controller.drive_steps() * held;
   const double step = scenario.control_period / steps;
   TrueState truth(*scenario.robot, prepared_->theta_true);
   plant_->set_state(scenario.start_position, running.start_velocity());
@@ -41,14 +42,14 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
     std::string failure;
     try {
       plant_->step(*o.applied, step, o.poses);
+      const JointVector* torque = o.applied;
       for (int k = 1; k < steps && std::isfinite(plant_->qd().sum()); ++k) {
-        if (!controller.has_drives()) {
-          plant_->step(*o.applied, step);
-          continue;
+        if (k % held == 0) {
+          DriveInstant& at = running.begin_drive_period(k * step, plant_->q(), plant_->qd());
+          controller.drive(running.measured_by_drives(), at.commanded, at.torque);
+          torque = &at.torque;
         }
-        DriveInstant& at = running.begin_drive_period(k * step, plant_->q(), plant_->qd());
-        controller.drive(running.measured_by_drives(), at.commanded, at.torque);
-        plant_->step(at.torque, step);
+        plant_->step(*torque, step);
       }
     } catch (const std::exception& e) {
       failure = e.what();

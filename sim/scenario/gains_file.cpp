@@ -89,8 +89,7 @@ void read_field(const yaml::Node& node, const GainField& field, const std::vecto
             value = node.as_boolean();
           } else {
             const std::string text = node.as_string();
-            if (text != "start" && text != "current")
-              node.fail("'" + text + "' is not one of: start, current");
+            if (text != "start" && text != "current") node.fail_choice({"start", "current"});
             value = text == "start" ? SlerpReference::kStart : SlerpReference::kCurrent;
           }
         }
@@ -101,9 +100,9 @@ void read_field(const yaml::Node& node, const GainField& field, const std::vecto
 }  // namespace
 
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
-                 const std::string& relative_to, const std::string& node) {
+                 const std::string& relative_to, const std::string& node, std::optional<RosDistro> distro) {
   const std::string path = find_data_file("gains", name_or_path, relative_to);
-  if (const auto file = read_parameter_file(path, node)) {
+  if (const auto file = read_parameter_file(path, node, distro)) {
     Gains gains = controller_gains(file->controller, file->path, joints);
     validate(gains, joints, file->path);
     return gains;
@@ -115,6 +114,13 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
             "a node ('{}') can be named only for a ROS parameter file with controllers, which this is not; "
             "remove the option or key that names the node",
             node));
+  if (distro)
+    throw InputError(
+        InputPlace{path},
+        fmt::format(
+            "a distribution of ROS ('{}') can be named only for a ROS parameter file, which this is not; "
+            "remove the key that names it, because the gain jtc_distro gives it here",
+            rules_of(*distro).name));
   const yaml::Node root = yaml::parse_text(read_input_file(path, yaml::kMaxBytes, "a YAML file"), path);
   const yaml::Node& fields = fields_node(root);
   refuse_several(fields);

@@ -2,11 +2,13 @@
 // Reads and writes gains as YAML. The keys are the parameter names of a ROS controller for the UR10 that was
 // published in 2021. The parameter file of this published controller therefore loads unchanged.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/control/gain_fields.hpp"
+#include "core/control/laws/ros_distro.hpp"
 
 namespace armtune::internal {
 
@@ -19,9 +21,12 @@ namespace armtune::internal {
 ///   - the path of the published file (circularTrajectory*), because the scenario gives the tool's path,
 ///   - the parameters that ROS 2 gives every node.
 ///
-/// node: name of the controller, needed if a ROS parameter file has several. Throws InputError.
+/// node: name of the controller, needed if a ROS parameter file has several. distro: the distribution of ROS
+/// whose rules its joint trajectory controller follows (ros_distro.hpp); if it is not given, the file's own
+/// gains say so, or it is Jazzy for ROS 2 and Noetic for ROS 1. Throws InputError.
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
-                 const std::string& relative_to = {}, const std::string& node = {});
+                 const std::string& relative_to = {}, const std::string& node = {},
+                 std::optional<RosDistro> distro = {});
 
 /// Returns the value of a field as text for a gains file.
 std::string field_text(const Gains& gains, const GainField& field);

@@ -19,6 +19,10 @@ constexpr double kVelocityJump = 1e-4;
 /// Tolerance of position limits, because planners have a tolerance too [rad, m].
 constexpr double kBeyondLimit = 1e-6;
 constexpr int kLooks = 32;
+/// Range of positions [rad] up to which a joint without limits is not judged. A jump by one turn, as of an
+/// angle that is kept within one turn, is no sign of degrees.
+constexpr double kTwoTurns = 4.0 * std::numbers::pi;
+constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 }  // namespace
 
@@ -40,6 +44,30 @@ void MotionChecks::check_position(int joint, double q, std::size_t point, bool b
 void MotionChecks::at_points() const {
   for (std::size_t k = 0; k < points_.points.size(); ++k) {
     for (int i = 0; i < robot_.n(); ++i) check_position(i, points_.points[k].position[i], k, false);
+  }
+}
+
+void MotionChecks::unlimited_joints(double speed) const {
+  for (int i = 0; i < robot_.n(); ++i) {
+    const JointInfo& info = robot_.joints[static_cast<std::size_t>(i)];
+    const auto q = [&](std::size_t k) { return points_.points[k].position[i]; };
+    if (info.limits.has_position) continue;
+    double lowest = 0.0, highest = 0.0, fastest = 0.0;
+    std::size_t fast = 0;
+    for (std::size_t k = 1; k < points_.points.size(); ++k) {
+      lowest = std::min(lowest, q(k) - q(0));
+      highest = std::max(highest, q(k) - q(0));
+      const double velocity = speed * std::abs(q(k) - q(k - 1)) / (points_.time[k] - points_.time[k - 1]);
+      if (velocity > fastest) fast = k;
+      fastest = std::max(fastest, velocity);
+    }
+    if (highest - lowest <= kTwoTurns || fastest <= std::sqrt(kDegrees) * info.limits.velocity) continue;
+    const std::string key = fmt::format("joint/{}/position", info.name);
+    throw InputError(
+        points_.where(fast, key),
+        fmt::format("{} is {:.9g}, so from the point before the joint turns at {:.3g} rad/s, but "
+                    "its velocity limit is {:.3g} rad/s; {}, or leave more time between the points",
+                    key, q(fast), fastest, info.limits.velocity, degrees_));
   }
 }
 

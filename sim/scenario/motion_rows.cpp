@@ -25,7 +25,8 @@ double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, c
   const std::string text = table.text(row, column);
   throw InputError(at_line(path, line_of(row), table.header()[column]),
                    fmt::format("{} in column {} is not a finite number; every row of a motion needs one",
-                               text.empty() ? "an empty cell" : shown(text), table.header()[column]));
+                               text.empty() ? "an empty cell" : shown(text), table.header()[column]))
+      .with_value(text, "a finite number");
 }
 
 std::vector<double> rising_times(const CsvTable& table, const std::string& path) {
@@ -45,15 +46,18 @@ std::vector<double> rising_times(const CsvTable& table, const std::string& path)
     if (row == 0 && time[0] < 0.0) {
       throw InputError(
           at_line(path, line_of(row), "time"),
-          fmt::format("time is {} s; it must not be negative: shift the motion to begin at 0 s", time[0]));
+          fmt::format("time is {} s; it must not be negative: shift the motion to begin at 0 s", time[0]))
+          .with_value(table.text(row, column), "at least 0");
     }
     if (row == 0 || time[row] > time[row - 1]) continue;
     throw InputError(at_line(path, line_of(row), "time"),
                      fmt::format("time {} s is not later than {} s in the row before; times must rise",
-                                 time[row], time[row - 1]));
+                                 time[row], time[row - 1]))
+        .with_value(table.text(row, column), fmt::format("above {}", time[row - 1]));
   }
   if (time.size() < 2) {
-    throw InputError(InputPlace{path}, fmt::format("{} rows; a motion needs at least two", time.size()));
+    throw InputError(InputPlace{path}, fmt::format("{} rows; a motion needs at least two", time.size()))
+        .with_value(std::to_string(time.size()), "at least 2 rows");
   }
   return time;
 }

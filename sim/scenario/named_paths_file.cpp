@@ -82,9 +82,10 @@ std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::str
   const yaml::Node& high_node = map.required("high");
   const Vec3 high(high_node.as_numbers(3).data());
   if (!(high.array() >= low.array()).all())
-    high_node.fail("a coordinate is less than in 'low'; it must be at least as large");
+    high_node.fail("a coordinate is less than in 'low'; it must be at least as large",
+                   "at least as large as in 'low'");
   const long seed = map.integer("seed", 1);
-  if (seed < 0) map.required("seed").fail("must not be negative");
+  if (seed < 0) map.required("seed").fail("must not be negative", "not negative");
   map.finish();
   return random_targets(static_cast<int>(count), low, high, static_cast<std::uint64_t>(seed));
 }

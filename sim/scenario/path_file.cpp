@@ -94,7 +94,8 @@ void require_sensible(const Path& path, const yaml::Node& node) {
 
 double read_positive(const yaml::Node& node, const char* unit) {
   const double value = node.as_number();
-  if (!(value > 0.0)) node.fail(fmt::format("the value is {} {}; it must be above zero", value, unit));
+  if (!(value > 0.0))
+    node.fail(fmt::format("the value is {} {}; it must be above zero", value, unit), "above zero");
   return value;
 }
 
@@ -203,7 +204,8 @@ HarmonicTerm read_term(const yaml::Node& node) {
   const yaml::Node& order = map.required("order");
   const long value = order.as_integer();
   if (value < 0 || value > kHighestOrder)
-    order.fail(fmt::format("order is {}; it must lie in 0 .. {}", value, kHighestOrder));
+    order.fail(fmt::format("order is {}; it must lie in 0 .. {}", value, kHighestOrder),
+               fmt::format("0 .. {}", kHighestOrder));
   term.order = static_cast<int>(value);
   if (const yaml::Node* cosine = map.optional("cos")) term.cosine = read_vec3(*cosine);
   if (const yaml::Node* sine = map.optional("sin")) term.sine = read_vec3(*sine);

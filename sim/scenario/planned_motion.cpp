@@ -140,6 +140,7 @@ JointSpline motion_of(const PlannedFile& file, MotionPoints motion, const RobotM
   const bool message = is_trajectory_message(file.table.path);
   const MotionChecks checks(robot, motion, hint_for_degrees(message));
   checks.at_points();
+  checks.unlimited_joints(file.speed);
   if (file.as_ros || message || motion.given == PointsGive::kVelocities) {
     checks.between_points(JointSpline(motion.time, motion.points, motion.given));
     change_speed(file.speed, motion);

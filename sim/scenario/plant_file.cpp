@@ -37,7 +37,7 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
   const long delay = map.integer("torque_delay_periods", 0);
   if (delay < 0 || delay > 1000) {
     map.required("torque_delay_periods")
-        .fail(fmt::format("the delay is {} periods; it must lie in 0 .. 1000", delay));
+        .fail(fmt::format("the delay is {} periods; it must lie in 0 .. 1000", delay), "0 .. 1000");
   }
   plant.torque_delay_periods = static_cast<int>(delay);
   plant.rate = map.number_in("rate", 0.0, 0.0, kFastest);
@@ -49,7 +49,7 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
     const yaml::Node* friction = map.optional(key);
     if (friction == nullptr) continue;
     *values = yaml::joint_values(*friction, joints);
-    if ((values->array() < 0.0).any()) friction->fail("friction must not be negative");
+    if ((values->array() < 0.0).any()) friction->fail("friction must not be negative", "not negative");
   }
   for (const auto& [key, values] :
        {std::pair{"mass_factors", &plant.mass_factors}, std::pair{"inertia_factors", &plant.inertia_factors},

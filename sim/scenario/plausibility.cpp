@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "core/control/pose_search.hpp"
+#include "core/robot/body_inertia.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/rotor_estimate.hpp"
-#include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -25,6 +25,7 @@ constexpr double kFastest = 30.0;       // rad/s
 constexpr double kFingerStroke = 0.15;  // m
 constexpr double kClawTurn = 1.3;       // rad; a wrist's range is more than half a turn
 constexpr double kOtherRotor = 100.0;   // largest factor from the estimate of rotor_estimate.hpp, up or down
+constexpr int kFewestIdentical = 4;     // links; fewer can be the same by design
 constexpr unsigned kPoses = 500;
 
 using Names = std::vector<std::string>;
@@ -53,7 +54,25 @@ double radius_of_gyration(const LinkInertia& link) {
   return std::sqrt(std::max(0.0, largest) / link.mass);
 }
 
-void doubt_links(const RobotModel& robot, std::vector<Doubt>& doubts) {
+bool contains(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Returns true if the inertia of joint i's link is a placeholder.
+bool lacks_inertia(const RobotModel& robot, int i, const MissingData& missing) {
+  return contains(missing.inertia, robot.joints[static_cast<std::size_t>(i)].link) ||
+         std::any_of(missing.impossible.begin(), missing.impossible.end(),
+                     [i](const ImpossibleInertia& link) { return link.joint == i && !link.is_complete(); });
+}
+
+bool lacks_any_inertia(const RobotModel& robot, const MissingData& missing) {
+  for (int i = 0; i < robot.n(); ++i) {
+    if (lacks_inertia(robot, i, missing)) return true;
+  }
+  return false;
+}
+
+void doubt_links(const RobotModel& robot, const MissingData& missing, std::vector<Doubt>& doubts) {
   Names light, wide, narrow;
   Proposed of_light, of_wide, of_narrow;
   const double widest = kWidest * reach(robot);
@@ -61,8 +80,9 @@ void doubt_links(const RobotModel& robot, std::vector<Doubt>& doubts) {
     const auto k = static_cast<std::size_t>(i);
     const LinkInertia& link = robot.chain.link[k];
     const JointInfo& joint = robot.joints[k];
+    if (lacks_inertia(robot, i, missing)) continue;
     const double radius = radius_of_gyration(link);
-    if (link.mass < kLightest * joint.limits.effort) {
+    if (link.mass < kLightest * joint.limits.effort && !contains(missing.effort, joint.name)) {
       light.push_back(fmt::format("{} ({:.3g} kg)", joint.link, link.mass));
       ask_for_body(joint.link, of_light);
     }
@@ -89,25 +109,59 @@ void doubt_links(const RobotModel& robot, std::vector<Doubt>& doubts) {
       doubts);
 }
 
+/// True if mass and principal moments about the centre of mass are the same, but for the rounding of the
+/// transformation from the frames of the URDF.
+bool are_identical(const LinkInertia& a, const LinkInertia& b) {
+  constexpr double kRounding = 1e-9;
+  const Vec3 moments = principal_moments(a);
+  return a.mass == b.mass && (moments - principal_moments(b)).norm() <= kRounding * moments.norm();
+}
+
+/// Finds links that all have the same inertia, as files have that were exported without masses.
+void doubt_identical_links(const RobotModel& robot, const MissingData& missing, std::vector<Doubt>& doubts) {
+  if (robot.n() < kFewestIdentical || lacks_any_inertia(robot, missing)) return;
+  const LinkInertia& first = robot.chain.link[0];
+  Names names;
+  Proposed proposed;
+  for (int i = 0; i < robot.n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!are_identical(first, robot.chain.link[k])) return;
+    names.push_back(robot.joints[k].link);
+    ask_for_body(robot.joints[k].link, proposed);
+  }
+  add(names,
+      fmt::format("all moving links have the same mass of {:.3g} kg and the same inertia, which are probably "
+                  "placeholders; give the real ones",
+                  first.mass),
+      proposed, doubts);
+}
+
 /// Finds rotor inertia that does not fit the joint's limits, often because the gear ratio was left out.
-/// Marked estimates are skipped, because the verdict reports them.
-void doubt_rotors(const RobotModel& robot, std::vector<Doubt>& doubts) {
+/// Estimates of the user's own count too: the limits show which of them are far off. A velocity limit that
+/// looks like degrees per second suggests no rotor inertia.
+void doubt_rotors(const RobotModel& robot, const MissingData& missing, std::vector<Doubt>& doubts) {
   RobotModel ruled = robot;
   ruled.chain.rotor_inertia.setZero();
   estimate_rotors(ruled);
-  Names names;
+  Names names, estimates;
   for (int i = 0; i < robot.n(); ++i) {
+    const JointInfo& joint = robot.joints[static_cast<std::size_t>(i)];
     const double rotor = robot.chain.rotor_inertia[i];
-    const bool marked = has_estimated_rotor(robot, i);
+    estimates.push_back(fmt::format("{:.6g}", rotor));
+    if (contains(missing.velocity, joint.name) || contains(missing.effort, joint.name)) continue;
+    if (joint.limits.velocity >= kFastest) continue;
     const double rule = ruled.chain.rotor_inertia[i];
-    if (marked || rotor == 0.0 || (rotor >= rule / kOtherRotor && rotor <= rule * kOtherRotor)) continue;
-    names.push_back(fmt::format("{} ({:.2g}, expected {:.2g})",
-                                robot.joints[static_cast<std::size_t>(i)].name, rotor, rule));
+    if (rotor == 0.0) estimates.back() = fmt::format("{:.2g}", rule);
+    if (rotor == 0.0 || (rotor >= rule / kOtherRotor && rotor <= rule * kOtherRotor)) continue;
+    names.push_back(fmt::format("{} ({:.2g}, expected {:.2g})", joint.name, rotor, rule));
+    estimates.back() = fmt::format("{:.2g}", rule);
   }
   constexpr const char* kSays =
-      "the rotor inertia differs by more than a factor of 100 from the value expected for these effort and "
-      "velocity limits; give the motor's inertia times the square of the gear ratio";
-  add(names, kSays, {}, doubts);
+      "the rotor inertia differs by more than a factor of {:.0f} from the value expected for these effort and "
+      "velocity limits; give the motor's inertia times the square of the gear ratio, or the expected value";
+  // 'rotor_inertia: estimated' would not replace what the URDF gives.
+  const std::string list = fmt::format("[{}]", fmt::join(estimates, ", "));
+  add(names, fmt::format(kSays, kOtherRotor), {{"rotor_inertia", "estimated", "", list}}, doubts);
 }
 
 void doubt_limits(const RobotModel& robot, std::vector<Doubt>& doubts) {
@@ -182,14 +236,15 @@ std::vector<Heaviest> heaviest_positions(const RobotModel& robot) {
 }
 
 /// Finds joints whose effort limit is too low to hold the arm still everywhere.
-void doubt_efforts(const RobotModel& robot, std::vector<Doubt>& doubts) {
+void doubt_efforts(const RobotModel& robot, const MissingData& missing, std::vector<Doubt>& doubts) {
+  if (!missing.position.empty() || lacks_any_inertia(robot, missing)) return;
   const auto slides = [&robot](std::size_t k) { return robot.chain.motion[k] == JointMotion::kPrismatic; };
   bool any_slides = false;
   for (std::size_t k = 0; k < robot.joints.size(); ++k) any_slides = any_slides || slides(k);
   const std::vector<Heaviest> heaviest = heaviest_positions(robot);
   for (std::size_t k = 0; k < heaviest.size(); ++k) {
     const JointInfo& joint = robot.joints[k];
-    if (heaviest[k].torque <= joint.limits.effort) continue;
+    if (heaviest[k].torque <= joint.limits.effort || contains(missing.effort, joint.name)) continue;
     const char* unit = slides(k) ? "N" : "N m";
     doubts.push_back(
         {fmt::format(
@@ -218,48 +273,15 @@ void doubt_last_joint(const RobotModel& robot, std::vector<Doubt>& doubts) {
        {{"hold", joint.name, "", rest}}});
 }
 
-/// Returns the proposed values as lines of a robot YAML, each key once. All lines are commented out.
-std::string proposed_lines(const std::vector<Doubt>& found) {
-  using Fields = std::vector<const ProposedValue*>;
-  std::vector<std::pair<std::string, std::vector<std::pair<std::string, Fields>>>> keys;
-  const auto at = [](auto& list, const std::string& name) -> auto& {
-    const auto same =
-        std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == name; });
-    return same != list.end() ? same->second
-                              : list.emplace_back(name, decltype(list.front().second){}).second;
-  };
-  for (const Doubt& doubt : found) {
-    for (const ProposedValue& value : doubt.proposed) {
-      Fields& fields = at(at(keys, value.key), value.name);
-      const bool known = std::any_of(fields.begin(), fields.end(),
-                                     [&](const ProposedValue* other) { return other->field == value.field; });
-      if (!known) fields.push_back(&value);
-    }
-  }
-  std::string text;
-  for (const auto& [key, names] : keys) {
-    text += fmt::format("#{}:\n", key);
-    for (const auto& [name, fields] : names) {
-      if (fields.front()->field.empty()) {
-        text += fmt::format("#  {}: {}\n", yaml::quoted(name), fields.front()->value);
-        continue;
-      }
-      text += fmt::format("#  {}:\n", yaml::quoted(name));
-      for (const ProposedValue* value : fields)
-        text += fmt::format("#    {}: {}\n", value->field, value->value);
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
-std::vector<Doubt> doubts_with_proposals(const RobotModel& robot) {
+std::vector<Doubt> doubts_with_proposals(const RobotModel& robot, const MissingData& missing) {
   std::vector<Doubt> found;
-  doubt_links(robot, found);
-  doubt_rotors(robot, found);
+  doubt_links(robot, missing, found);
+  doubt_identical_links(robot, missing, found);
+  doubt_rotors(robot, missing, found);
   doubt_limits(robot, found);
-  doubt_efforts(robot, found);
+  doubt_efforts(robot, missing, found);
   doubt_last_joint(robot, found);
   return found;
 }
@@ -268,16 +290,6 @@ std::vector<std::string> doubts(const RobotModel& robot) {
   std::vector<std::string> sentences;
   for (const Doubt& doubt : doubts_with_proposals(robot)) sentences.push_back(doubt.says);
   return sentences;
-}
-
-std::string proposals_yaml(const std::string& urdf, const std::vector<Doubt>& found) {
-  std::string text = urdf.empty() ? "" : fmt::format("urdf: {}\n", yaml::quoted(urdf));
-  text += "# Doubtful values:\n";
-  for (const Doubt& doubt : found) text += "\n" + yaml::comment(doubt.says);
-  text +=
-      "\n# Proposed values. Remove the # before those that are right, and fill in the values that are "
-      "missing.\n";
-  return text + proposed_lines(found);
 }
 
 }  // namespace armtune::internal

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "core/robot/robot_model.hpp"
+#include "core/robot/urdf_options.hpp"
 
 namespace armtune::internal {
 
 /// A value that the user could write into a robot YAML in place of a doubtful one.
 struct ProposedValue {
-  std::string key;    ///< top-level key of the robot YAML: limits, inertia or hold
-  std::string name;   ///< joint or link, a key in the map of `key`
+  std::string key;    ///< top-level key of the robot YAML: limits, inertia, hold or rotor_inertia
+  std::string name;   ///< joint, link, or "estimated" for rotor_inertia: a key in the map of `key`
   std::string field;  ///< key in the map of `name`; empty: the value belongs to the name itself
   std::string value;  ///< empty: armtune cannot propose a value; the arm's maker can give it
 };
@@ -26,17 +27,16 @@ struct Doubt {
 /// Returns everything that is doubtful; empty if nothing is. Doubtful are:
 ///   - links that are too light for the effort limit of their joint,
 ///   - link inertia that is too large or too small for the link's mass (radius of gyration),
+///   - links that all have the same mass and inertia, if there are at least four,
 ///   - rotor inertia far from the value that the joint's limits suggest,
 ///   - position and velocity limits that look like degrees,
 ///   - effort limits that are too low to hold the arm still,
 ///   - a last joint with a range as small as that of a gripper's finger.
-std::vector<Doubt> doubts_with_proposals(const RobotModel& robot);
+/// missing: data for which the model has placeholders (load_robot). Nothing that depends on one of these is
+/// doubtful.
+std::vector<Doubt> doubts_with_proposals(const RobotModel& robot, const MissingData& missing = {});
 
 /// Returns the sentences of these doubts, without proposals.
 std::vector<std::string> doubts(const RobotModel& robot);
-
-/// Returns the text of a robot YAML for the arm of `urdf` in which every doubt and every proposal is a
-/// comment.
-std::string proposals_yaml(const std::string& urdf, const std::vector<Doubt>& found);
 
 }  // namespace armtune::internal

@@ -9,6 +9,7 @@
 #include "core/robot/urdf_reader.hpp"
 #include "sim/scenario/cell_file.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/drive_keys.hpp"
 #include "sim/scenario/plant_file.hpp"
 #include "sim/scenario/urdf_keys.hpp"
 #include "sim/yaml/joint_values.hpp"
@@ -20,6 +21,7 @@ namespace {
 /// Keys that are read after the URDF, when the joints are known. Those in kJointKeys have a number per joint.
 constexpr const char* kCompensation = "compensates_gravity";
 constexpr const char* kRotors = "rotor_inertia";
+constexpr const char* kDrives = "drives";
 constexpr std::array kJointKeys{"viscous_friction", "coulomb_friction", "link_radius", "drive_velocity_gain",
                                 "drive_velocity_integral"};
 constexpr double kThickest = 10.0;  // m
@@ -88,14 +90,18 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
   map.ignore("payload");
   map.ignore("cell");
   map.ignore(kCompensation);
+  map.ignore(kDrives);
   map.finish();
   return file;
 }
 
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to) {
-  const RobotFile file = read_robot_file(name_or_path, relative_to);
-  auto model = std::make_shared<RobotModel>(read_urdf(file.urdf, file.options));
+  return load_robot(read_robot_file(name_or_path, relative_to));
+}
+
+std::shared_ptr<const RobotModel> load_robot(const RobotFile& file, MissingData* missing) {
+  auto model = std::make_shared<RobotModel>(read_urdf(file.urdf, file.options, missing));
   model->link_radii = shape_radii(*model);
   if (file.root) {
     model->files.insert(model->files.begin(), file.path);
@@ -112,6 +118,7 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
     if (const yaml::Node* node = file.root->find("link_radius")) check_radii(*node, *model);
     check_drive(file, "drive_velocity_gain", model->drive_velocity_gain, true);
     check_drive(file, "drive_velocity_integral", model->drive_velocity_integral, false);
+    if (const yaml::Node* node = file.root->find(kDrives)) read_drives(*node, joints, *model);
   }
   if (const yaml::Node* node = file.root ? file.root->find(kCompensation) : nullptr)
     model->compensates_gravity = node->as_boolean();

@@ -30,6 +30,7 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
 ///   - rotor_inertia, viscous_friction, coulomb_friction, link_radius [m], drive_velocity_gain and
 ///     drive_velocity_integral: each a list in joint order, or a map by joint name;
 ///   - payload: {mass, center}, a point mass in the tool frame that is part of the controller's model;
+///   - drives (drive_keys.hpp);
 ///   - compensates_gravity (see RobotModel);
 ///   - cell (see cell_of).
 /// `rotor_inertia: estimated` makes armtune estimate the rotor inertia of every joint that has none in the
@@ -37,6 +38,10 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
 /// Without link_radius, a link's radius is that of its shapes (link_radius.hpp).
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});
+
+/// Reads the rest of a robot file. With `missing`, it does not throw for data that are missing or wrong in
+/// the URDF. Instead it lists them there, and puts placeholders into the model, which must not be simulated.
+std::shared_ptr<const RobotModel> load_robot(const RobotFile& file, MissingData* missing = nullptr);
 
 /// Returns the cell around the arm, which the key `cell` of a robot file describes (cell_file.hpp). Returns
 /// nothing if the file does not have this key. The names of waypoint files that this reads are added to

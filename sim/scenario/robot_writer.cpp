@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/robot/urdf_writer.hpp"
+#include "sim/scenario/drive_keys.hpp"
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
@@ -13,9 +14,6 @@ namespace armtune::internal {
 std::string robot_yaml(const RobotModel& model, const std::string& urdf, const std::string& comment) {
   const Chain& chain = model.chain;
   const auto list = [](const JointVector& values) { return fmt::format("[{}]", fmt::join(values, ", ")); };
-  const auto drive = [&list](const char* key, const JointVector& values) {
-    return values.size() == 0 ? std::string() : fmt::format("{}: {}\n", key, list(values));
-  };
   return (comment.empty() ? "" : "# " + comment + "\n") +
          fmt::format(
              "urdf: {}\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}  # kg m^2, kg\n"
@@ -23,8 +21,7 @@ std::string robot_yaml(const RobotModel& model, const std::string& urdf, const s
              yaml::quoted(urdf), yaml::quoted(model.base_link), yaml::quoted(urdf_tool_link(model)),
              list(chain.rotor_inertia), list(chain.viscous_friction), list(chain.coulomb_friction),
              model.compensates_gravity ? "compensates_gravity: true\n" : "") +
-         drive("drive_velocity_gain", model.drive_velocity_gain) +
-         drive("drive_velocity_integral", model.drive_velocity_integral) + acceleration_limits_yaml(model);
+         drives_yaml(model) + acceleration_limits_yaml(model);
 }
 
 std::string acceleration_limits_yaml(const RobotModel& model) {

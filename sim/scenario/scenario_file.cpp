@@ -240,14 +240,8 @@ void read_clearance(const yaml::Node* node, const RobotFile& robot, Scenario& sc
   for (const std::string& mesh : scenario.clearance->arm().meshes) scenario.inputs.push_back(mesh);
 }
 
-}  // namespace
-
-Scenario load_scenario(const std::string& name_or_path) {
-  const std::string path = find_data_file("scenarios", name_or_path);
-  Scenario scenario;
-  const yaml::Node root = parse_with_base(path, scenario.inputs);
-  yaml::MapReader map(root);
-  map.ignore("base");
+/// Names the scenario after its file.
+void name_after(const std::string& path, Scenario& scenario) {
   scenario.name = stem(path);
   check_result_name(scenario.name, path);
   if (scenario.name == kAllScenarios)
@@ -256,14 +250,10 @@ Scenario load_scenario(const std::string& name_or_path) {
         fmt::format("the name '{}' is reserved, because it means all scenarios together; rename the file",
                     kAllScenarios));
   scenario.source = path;
-  scenario.description = map.string("description", "");
-  const yaml::Node& robot_node = map.required("robot");
-  const std::string robot = robot_node.as_string();
-  const std::string robot_folder = folder_of(robot_node.file());
-  scenario.robot = load_robot(robot, robot_folder);
-  for (const std::string& file : scenario.robot->files) scenario.inputs.push_back(file);
-  const auto joints = joint_names(*scenario.robot);
+}
 
+/// Reads the control period, the planned motion and the duration.
+void read_times(yaml::MapReader& map, Scenario& scenario) {
   const yaml::Node& period = map.required("control_period");
   scenario.control_period = period.as_number();
   if (scenario.control_period < 1e-5 || scenario.control_period > 0.1) {
@@ -277,14 +267,52 @@ Scenario load_scenario(const std::string& name_or_path) {
   } else {
     scenario.duration = read_duration(&map.required("duration"), 0.0, scenario);
   }
-  scenario.mask = read_mask(map.optional("task_mask"), scenario.robot->n());
-  read_task(map, scenario);
+}
+
+/// Reads the times at which the gaze changes its target.
+void read_target_switches(yaml::MapReader& map, Scenario& scenario) {
   scenario.switch_every = map.number_in("switch_every", 0.0, 0.0, kInfinity);
   if (const yaml::Node* schedule = map.optional("schedule")) {
     scenario.schedule = read_schedule(*schedule, scenario.targets);
     if (scenario.switch_every > 0.0 && !scenario.schedule.empty())
       schedule->fail("a schedule cannot be combined with 'switch_every'; set 'switch_every' to 0");
   }
+}
+
+/// Reads the test signal. Throws InputError if the scenario leaves it without effect.
+void read_test_signal(const yaml::Node& node, Scenario& scenario) {
+  if (scenario.planned)
+    node.fail(
+        "a stimulus has no effect while the planned trajectory is followed; remove 'stimulus' or 'planned'");
+  scenario.stimulus = read_stimulus(node, scenario.duration, scenario.control_period);
+  if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.targets.empty())
+    node.fail("the stimulus shifts a target, but the scenario has no targets; give 'on: path'");
+  if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.next_switch(0.0) < HUGE_VAL) {
+    node.fail(
+        "a stimulus on a target needs a target that does not switch; take switch_every and schedule out");
+  }
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::string& name_or_path) {
+  const std::string path = find_data_file("scenarios", name_or_path);
+  Scenario scenario;
+  const yaml::Node root = parse_with_base(path, scenario.inputs);
+  yaml::MapReader map(root);
+  map.ignore("base");
+  name_after(path, scenario);
+  scenario.description = map.string("description", "");
+  const yaml::Node& robot_node = map.required("robot");
+  const std::string robot = robot_node.as_string();
+  const std::string robot_folder = folder_of(robot_node.file());
+  scenario.robot = load_robot(robot, robot_folder);
+  for (const std::string& file : scenario.robot->files) scenario.inputs.push_back(file);
+  const auto joints = joint_names(*scenario.robot);
+  read_times(map, scenario);
+  scenario.mask = read_mask(map.optional("task_mask"), scenario.robot->n());
+  read_task(map, scenario);
+  read_target_switches(map, scenario);
   if (const yaml::Node* obstacles = map.optional("obstacles"))
     scenario.obstacles = read_obstacles(*obstacles, scenario.inputs);
   read_clearance(map.optional("cell"), read_robot_file(robot, robot_folder), scenario);
@@ -300,19 +328,7 @@ Scenario load_scenario(const std::string& name_or_path) {
     scenario.camera = read_camera(*camera);
   }
   if (const yaml::Node* from = map.optional("obstacle_distance")) read_distance(*from, scenario);
-  if (const yaml::Node* stimulus = map.optional("stimulus")) {
-    if (scenario.planned)
-      stimulus->fail(
-          "a stimulus has no effect while the planned trajectory is followed; remove 'stimulus' or "
-          "'planned'");
-    scenario.stimulus = read_stimulus(*stimulus, scenario.duration, scenario.control_period);
-    if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.targets.empty())
-      stimulus->fail("the stimulus shifts a target, but the scenario has no targets; give 'on: path'");
-    if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.next_switch(0.0) < HUGE_VAL) {
-      stimulus->fail(
-          "a stimulus on a target needs a target that does not switch; take switch_every and schedule out");
-    }
-  }
+  if (const yaml::Node* stimulus = map.optional("stimulus")) read_test_signal(*stimulus, scenario);
   scenario.theta = read_theta_start(map.required("theta_start"));
   if (const yaml::Node* plant = map.optional("plant")) scenario.plant = read_plant(*plant, joints);
   const long seed = map.integer("seed", 1);

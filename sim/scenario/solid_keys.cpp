@@ -15,7 +15,8 @@ constexpr double kLargest = 1000.0;  // m
 
 double length(double value, const yaml::Node& node, const char* what) {
   if (value > 0.0 && value <= kLargest) return value;
-  node.fail(fmt::format("{} is {} m; it must be above 0 and at most {}", what, value, kLargest));
+  const std::string limit = fmt::format("above 0 and at most {}", kLargest);
+  node.fail(fmt::format("{} is {} m; it must be {}", what, value, limit), limit);
 }
 
 Vec3 place(const yaml::Node& node) {

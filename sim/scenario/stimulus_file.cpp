@@ -19,7 +19,7 @@ Vec3 read_offset(const yaml::Node& node) {
   Vec3 offset(node.as_numbers(3).data());
   const double length = offset.norm();
   if (!std::isfinite(length) || !(length > 0.0))
-    node.fail("the length of this vector must be finite and above zero");
+    node.fail("the length of this vector must be finite and above zero", "finite and above zero");
   return offset;
 }
 
@@ -88,7 +88,7 @@ Multisine read_sines(const yaml::Node& node, double duration, double control_per
   const yaml::Node& amplitude = map.required("amplitude");
   sines.amplitude = amplitude.as_number();
   if (!(sines.amplitude > 0.0))
-    amplitude.fail(fmt::format("the amplitude is {} m; it must be > 0", sines.amplitude));
+    amplitude.fail(fmt::format("the amplitude is {} m; it must be > 0", sines.amplitude), "above 0");
   sines.base_period = read_base_period(map.required("base_period"), duration, control_period);
   sines.orders = read_orders(map.required("orders"), sines.base_period, control_period);
   sines.phases = schroeder_phases(sines.orders);
@@ -118,7 +118,7 @@ Stimulus read_stimulus(const yaml::Node& node, double duration, double control_p
   Stimulus stimulus;
   const yaml::Node& on = map.required("on");
   const std::string place = on.as_string();
-  if (place != "path" && place != "target") on.fail("'" + place + "' is not one of: path, target");
+  if (place != "path" && place != "target") on.fail_choice({"path", "target"});
   stimulus.on = place == "path" ? Stimulus::On::kPath : Stimulus::On::kTarget;
   const yaml::Node* step = map.optional("step");
   const yaml::Node* sines = map.optional("sines");

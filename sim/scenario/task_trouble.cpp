@@ -19,6 +19,7 @@ constexpr double kOffPath = 1e-3;  // m: a tool that is closer has reached its g
 constexpr unsigned kPlacesTried = 30;
 constexpr int kTimesLooked = 20;    // number of times at which a lost path is checked
 constexpr double kAtTarget = 0.02;  // m: closer to the target, the line to it turns faster than any tool can
+constexpr const char* kMoveOrStartElsewhere = "move the path, or give another joint_space_goal";
 
 /// Returns the smallest distance from the goal that was found for the tool, in any orientation [m].
 double closest(const RobotModel& robot, const ToolGoal& goal) {
@@ -47,9 +48,9 @@ std::string place(const WalkPlace& at) {
                      at.tool.y(), at.tool.z());
 }
 
-/// Returns a sentence about a point of the path that the tool cannot reach at all, after the point where the
-/// walk lost the path. Returns an empty text if there is none.
-std::string out_of_reach(const PathWalk& walk, const Scenario& scenario) {
+/// Returns the problem that the tool cannot reach a point of the path at all, after the point where the walk
+/// lost the path. Returns an empty problem if there is no such point.
+WalkTrouble out_of_reach(const PathWalk& walk, const Scenario& scenario) {
   WalkPlace farthest;
   std::optional<WalkPlace> turned_wrong;
   for (int look = 0; look < kTimesLooked; ++look) {
@@ -64,55 +65,57 @@ std::string out_of_reach(const PathWalk& walk, const Scenario& scenario) {
                     : scenario.orientation             ? " and with the tool in its required orientation"
                                                        : " and with the tool's z axis on the target";
   if (farthest.value > kOffPath) {
-    return fmt::format(
-        "the path leaves the workspace of {} from {:.4g} s on: {}, the tool comes no closer to it than "
-        "{:.3g} m; move or shrink the path",
-        scenario.robot->name, walk.left.time, place(farthest), farthest.value);
+    return {
+        fmt::format("the path leaves the workspace of {} from {:.4g} s on: {}, the tool comes no closer to "
+                    "it than {:.3g} m",
+                    scenario.robot->name, walk.left.time, place(farthest), farthest.value),
+        "move or shrink the path"};
   }
   if (!turned_wrong) return {};
-  return fmt::format(
-      "the path leaves the workspace that {} has within its joint limits{}, {}; move or shrink the path, or "
-      "turn the tool differently",
-      scenario.robot->name, how, place(*turned_wrong));
+  return {fmt::format("the path leaves the workspace that {} has within its joint limits{}, {}",
+                      scenario.robot->name, how, place(*turned_wrong)),
+          "move or shrink the path, or turn the tool differently"};
 }
 
 }  // namespace
 
-std::string trouble(const PathWalk& walk, const Scenario& scenario) {
+WalkTrouble trouble(const PathWalk& walk, const Scenario& scenario) {
   if (is_clear(walk)) return {};
   if (walk.sight.value < kAtTarget) {
-    return fmt::format(
-        "the tool passes too close to its gaze target: {}, it is {:.3g} m away; move the path or the target",
-        place(walk.sight), walk.sight.value);
+    return {fmt::format("the tool passes too close to its gaze target: {}, it is {:.3g} m away",
+                        place(walk.sight), walk.sight.value),
+            "move the path or the target"};
   }
   // The workspace is checked before singularities, because a path that leaves it stretches the arm into one.
   // Within the workspace, the damped inverse alone may lead the tool off the path.
   if (is_off_path(walk)) {
-    if (std::string beyond = out_of_reach(walk, scenario); !beyond.empty()) return beyond;
+    if (WalkTrouble beyond = out_of_reach(walk, scenario); !beyond.problem.empty()) return beyond;
   }
   if (is_singular(walk)) {
-    return fmt::format(
-        "the path runs through a singularity of {}: {}, the manipulability is {:.3g}, while it reaches "
-        "{:.3g} elsewhere on the path; move the path, or give another joint_space_goal",
-        scenario.robot->name, place(walk.manipulability), walk.manipulability.value,
-        walk.largest_manipulability);
+    return {
+        fmt::format("the path runs through a singularity of {}: {}, the manipulability is {:.3g}, while it "
+                    "reaches {:.3g} elsewhere on the path",
+                    scenario.robot->name, place(walk.manipulability), walk.manipulability.value,
+                    walk.largest_manipulability),
+        kMoveOrStartElsewhere};
   }
   if (is_off_path(walk)) {
-    return fmt::format(
-        "{} does not stay on the path: {}, the tool is {:.3g} m off, although the arm can reach this point; "
-        "move the path, or give another joint_space_goal",
-        scenario.robot->name, place(walk.error), walk.error.value);
+    return {
+        fmt::format("{} does not stay on the path: {}, the tool is {:.3g} m off, although the arm can reach "
+                    "this point",
+                    scenario.robot->name, place(walk.error), walk.error.value),
+        kMoveOrStartElsewhere};
   }
   if (walk.margin.value >= 0.0) {
     const LeastClearance& touched = *contact(walk);
-    return fmt::format("{} touch at {:.4g} s on the path; move the path, or give another joint_space_goal",
-                       scenario.clearance->name(*touched.pair), touched.time);
+    return {fmt::format("{} touch at {:.4g} s on the path", scenario.clearance->name(*touched.pair),
+                        touched.time),
+            kMoveOrStartElsewhere};
   }
-  return fmt::format(
-      "joint {} exceeds its position limits on the path by {:.2g} of its range, {}; move the path, or give "
-      "another joint_space_goal",
-      scenario.robot->joints[static_cast<std::size_t>(walk.joint)].name, -walk.margin.value,
-      place(walk.margin));
+  return {fmt::format("joint {} exceeds its position limits on the path by {:.2g} of its range, {}",
+                      scenario.robot->joints[static_cast<std::size_t>(walk.joint)].name, -walk.margin.value,
+                      place(walk.margin)),
+          kMoveOrStartElsewhere};
 }
 
 TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains) {
@@ -131,7 +134,7 @@ TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains) {
   const bool roll_drifts = walk.joint == scenario.robot->n() - 1 &&
                            RollCentering(*scenario.robot, 1.0, scenario.mask).is_on() &&
                            !scenario.orientation && gains.roll_centering_gain == 0.0;
-  return {trouble(walk, scenario), leaves_limits && !roll_drifts};
+  return {trouble(walk, scenario).text(), leaves_limits && !roll_drifts};
 }
 
 }  // namespace armtune::internal

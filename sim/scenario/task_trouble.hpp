@@ -8,10 +8,20 @@
 
 namespace armtune::internal {
 
-/// Returns the problem of a walk as one sentence with place and number; empty if there is none (is_clear).
-/// The problem is one of these: the tool passes too close to its target, the path leaves the workspace, the
-/// tool leaves the path, a joint leaves its limits, the arm passes a singularity, or two bodies touch.
-std::string trouble(const PathWalk& walk, const Scenario& scenario);
+/// A problem with place and number, and what to change in a scenario to solve it. Both are parts of one
+/// sentence, and both are empty if there is no problem.
+struct WalkTrouble {
+  std::string problem;
+  std::string advice;
+
+  /// Returns the whole sentence.
+  std::string text() const { return advice.empty() ? problem : problem + "; " + advice; }
+};
+
+/// Returns the problem of a walk; an empty one if there is none (is_clear). The problem is one of these: the
+/// tool passes too close to its target, the path leaves the workspace, the tool leaves the path, a joint
+/// leaves its limits, the arm passes a singularity, or two bodies touch.
+WalkTrouble trouble(const PathWalk& walk, const Scenario& scenario);
 
 /// The problem of a task under given gains.
 struct TaskTrouble {

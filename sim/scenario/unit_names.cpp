@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,24 @@ std::string without_unit(std::string_view name, const std::string& path, const y
   return std::string(name.substr(0, last == std::string_view::npos ? 0 : last + 1));
 }
 
+std::string in_lower_case(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+/// Gives the column of the time its name, unless there is one of this name.
+void name_time(std::vector<std::string>& columns) {
+  if (std::find(columns.begin(), columns.end(), "time") != columns.end()) return;
+  for (const char* known : {"time", "t", "time_from_start"}) {
+    const auto time = std::find_if(columns.begin(), columns.end(),
+                                   [known](const std::string& name) { return in_lower_case(name) == known; });
+    if (time == columns.end()) continue;
+    *time = "time";
+    return;
+  }
+}
+
 }  // namespace
 
 std::string plain_names(const std::string& line, const std::string& path, const yaml::FileUnits& units) {
@@ -48,13 +67,7 @@ std::string plain_names(const std::string& line, const std::string& path, const 
           at_line(path, 1, name),
           fmt::format("column {} has an unknown unit; take the units out of the column names", shown(name)));
   }
-  const auto is_time = [](const std::string& name) { return name == "time" || name == "Time"; };
-  if (std::none_of(plain.begin(), plain.end(), is_time)) {
-    const auto t = std::find_if(plain.begin(), plain.end(), [](const std::string& name) {
-      return name == "t" || name == "T" || name == "time_from_start";
-    });
-    if (t != plain.end()) *t = "time";
-  }
+  name_time(plain);
   return fmt::format("{}", fmt::join(plain, ","));
 }
 

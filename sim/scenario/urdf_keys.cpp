@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <map>
 
 #include "core/robot/body_inertia.hpp"
 #include "core/robot/link_inertias.hpp"
 #include "sim/scenario/solid_keys.hpp"
-#include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -31,7 +29,8 @@ GivenInertia read_inertia(yaml::MapReader& map) {
   GivenInertia given;
   const yaml::Node& mass = map.required("mass");
   given.mass = mass.as_number();
-  if (!(given.mass >= 0.0)) mass.fail(fmt::format("the mass is {} kg; it must not be negative", given.mass));
+  if (!(given.mass >= 0.0))
+    mass.fail(fmt::format("the mass is {} kg; it must not be negative", given.mass), "not negative");
   if (const yaml::Node* center = map.optional("center")) given.center = Vec3(center->as_numbers(3).data());
   const auto m = map.required("moments").as_numbers(6);
   given.about_center << m[0], m[1], m[2],  //
@@ -124,36 +123,6 @@ UrdfOptions read_urdf_options(yaml::MapReader& map) {
     for (const auto& [link, value] : shapes->entries()) options.shapes[link] = read_shapes(value);
   }
   return options;
-}
-
-std::string missing_yaml(const std::string& urdf, const MissingData& missing) {
-  std::string text;
-  if (!urdf.empty()) text += fmt::format("urdf: {}\n", yaml::quoted(urdf));
-  std::map<std::string, std::string> limits;
-  for (const std::string& joint : missing.position)
-    limits[joint] += "    lower:  # rad or m\n    upper:  # rad or m\n";
-  for (const std::string& joint : missing.velocity) limits[joint] += "    velocity:  # rad/s or m/s\n";
-  for (const std::string& joint : missing.effort) limits[joint] += "    effort:  # N m or N\n";
-  if (!limits.empty()) text += "limits:\n";
-  for (const auto& [joint, lines] : limits) text += fmt::format("  {}:\n{}", yaml::quoted(joint), lines);
-  if (!missing.inertia.empty() || !missing.impossible.empty()) text += "inertia:\n";
-  for (const ImpossibleInertia& link : missing.impossible) {
-    const Vec3& c = link.nearest.center;
-    const Mat3& I = link.nearest.about_center;
-    text += fmt::format(
-        "  {}:  # no rigid body has the URDF's inertia; this is the nearest possible one, {:.2g} % away\n"
-        "    mass: {:.10g}\n    center: [{:.10g}, {:.10g}, {:.10g}]\n"
-        "    moments: [{:.10g}, {:.10g}, {:.10g}, {:.10g}, {:.10g}, {:.10g}]\n",
-        yaml::quoted(link.link), 100.0 * link.moved, link.nearest.mass, c.x(), c.y(), c.z(), I(0, 0), I(0, 1),
-        I(0, 2), I(1, 1), I(1, 2), I(2, 2));
-  }
-  for (const std::string& link : missing.inertia) {
-    text += fmt::format(
-        "  {}:\n    mass:  # kg\n    center: [0, 0, 0]  # m, in the link's frame\n"
-        "    moments:  # [ixx, ixy, ixz, iyy, iyz, izz] about the centre, kg m^2\n",
-        yaml::quoted(link));
-  }
-  return text;
 }
 
 }  // namespace armtune::internal

@@ -22,10 +22,4 @@ namespace armtune::internal {
 /// URDF; the reader of the URDF does.
 UrdfOptions read_urdf_options(yaml::MapReader& map);
 
-/// Returns a robot YAML, or lines to add to one, with an empty value for each missing limit, mass and moment.
-/// The user fills in the values; reading the file reports each empty value with its line. A missing centre of
-/// mass is written as zero. An inertia that no rigid body can have is replaced by the nearest possible one.
-/// urdf: path for the key `urdf` at the top; empty: the text has no such key.
-std::string missing_yaml(const std::string& urdf, const MissingData& missing);
-
 }  // namespace armtune::internal

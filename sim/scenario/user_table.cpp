@@ -48,7 +48,8 @@ std::string with_commas(std::string_view text, const std::string& path, ColumnNa
     }
     if (std::count(line.begin(), line.end(), separator) > kMostCells)
       throw InputError(at_line(path, number),
-                       fmt::format("more than {} cells in one line; is it a CSV file?", kMostCells));
+                       fmt::format("more than {} cells in one line; is it a CSV file?", kMostCells))
+          .with_value({}, fmt::format("at most {} cells", kMostCells));
     split_cells(line, separator, cells);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].find(',') != std::string_view::npos) {
@@ -57,7 +58,8 @@ std::string with_commas(std::string_view text, const std::string& path, ColumnNa
             fmt::format(
                 "the cell {} contains a comma, although the cells are separated by {}; write numbers with "
                 "a decimal point",
-                shown(std::string(cells[i])), separator_name(separator)));
+                shown(std::string(cells[i])), separator_name(separator)))
+            .with_value(std::string(cells[i]), "a number with a decimal point");
       }
       result += i > 0 ? "," : "";
       result += cells[i];

@@ -21,11 +21,6 @@ namespace {
 
 constexpr std::string_view kCoreTags = "tag:yaml.org,2002:";
 
-[[noreturn]] void fail_too_large(const std::string& file, std::size_t max_bytes) {
-  throw InputError(InputPlace{file},
-                   fmt::format("larger than {} MB; expected a smaller file", max_bytes >> 20));
-}
-
 }  // namespace
 
 /// Builds the tree of nodes from yaml-cpp's events, and throws at the first event that is not accepted.
@@ -150,7 +145,8 @@ class TreeBuilder final : public YAML::EventHandler {
     if (++item_count_ > max_items_) {
       fail_at(*file_, node.line_, {},
               fmt::format("the file has more than {} values, which is the largest number that is read",
-                          max_items_));
+                          max_items_),
+              fmt::format("at most {} values", max_items_));
     }
     return node;
   }
@@ -161,13 +157,15 @@ class TreeBuilder final : public YAML::EventHandler {
     if (node.key_path_.size() > kMaxPathBytes) {
       fail_at(*file_, node.line_, {},
               fmt::format("the keys down to this value are together longer than {} bytes; use shorter keys",
-                          kMaxPathBytes));
+                          kMaxPathBytes),
+              fmt::format("at most {} bytes", kMaxPathBytes));
     }
     path_bytes_ += node.key_path_.size();
     if (path_bytes_ > max_all_path_bytes_) {
       fail_at(*file_, node.line_, {},
               fmt::format("the keys down to all values are together longer than {} MB; use shorter keys",
-                          max_all_path_bytes_ >> 20));
+                          max_all_path_bytes_ >> 20),
+              fmt::format("at most {} MB", max_all_path_bytes_ >> 20));
     }
   }
 
@@ -187,9 +185,9 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void open(const YAML::Mark& mark, Node::Kind kind) {
     if (open_.size() == kMaxDepth) {
-      fail_at(
-          *file_, line_of(mark), {},
-          fmt::format("nested more than {} levels deep; armtune's files need no more than 10", kMaxDepth));
+      fail_at(*file_, line_of(mark), {},
+              fmt::format("nested more than {} levels deep; armtune's files need no more than 10", kMaxDepth),
+              fmt::format("at most {} levels", kMaxDepth));
     }
     const bool is_key = expects_key();
     if (is_key && !container_key_) container_key_ = {line_of(mark), parent_path()};
@@ -210,12 +208,15 @@ class TreeBuilder final : public YAML::EventHandler {
   void take_key(const YAML::Mark& mark, const std::string& key) {
     Open& map = open_.back();
     if (key.size() > kMaxKeyBytes) {
-      fail_at(*file_, line_of(mark), parent_path(),
-              fmt::format("key {} has {} bytes; expected at most {}", shown(key), key.size(), kMaxKeyBytes));
+      throw error_at(*file_, line_of(mark), parent_path(),
+                     {.problem = fmt::format("key {} has {} bytes", shown(key), key.size()),
+                      .value = std::to_string(key.size()),
+                      .limit = fmt::format("at most {}", kMaxKeyBytes)});
     }
     if (map.key_lines.size() == kMaxKeys) {
       fail_at(*file_, line_of(mark), parent_path(),
-              fmt::format("more than {} keys in one map; expected fewer", kMaxKeys));
+              fmt::format("more than {} keys in one map; expected fewer", kMaxKeys),
+              fmt::format("at most {} keys", kMaxKeys));
     }
     const auto [first, is_new] = map.key_lines.emplace(key, line_of(mark));
     map.key = key;
@@ -281,7 +282,7 @@ class TreeBuilder final : public YAML::EventHandler {
 };
 
 Node parse_text(const std::string& text, const std::string& file_name, std::size_t max_bytes) {
-  if (text.size() > max_bytes) fail_too_large(file_name, max_bytes);
+  if (text.size() > max_bytes) refuse_large(file_name, max_bytes);
   check_characters(text, file_name);
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::string body = text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
@@ -299,7 +300,8 @@ Node parse_text(const std::string& text, const std::string& file_name, std::size
   }
   std::optional<Node> root = builder.take_root();
   if (!root || root->kind() == Node::Kind::kNull) {
-    throw InputError(InputPlace{file_name}, "empty, or nothing but comments; expected a YAML document");
+    throw InputError(InputPlace{file_name},
+                     InputFault{.problem = "empty, or nothing but comments", .limit = "a YAML document"});
   }
   return std::move(*root);
 }

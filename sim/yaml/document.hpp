@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "armtune/error.hpp"
+
 namespace armtune::internal::yaml {
 
 inline constexpr std::size_t kMaxBytes = 4 * 1024 * 1024;  ///< largest text [byte]
@@ -65,8 +67,14 @@ class Node {
   /// True if this is the scalar `text`. Meant for keys that take a word or a number.
   bool is_word(std::string_view text) const { return kind_ == Kind::kScalar && text_ == text; }
 
-  /// Throws InputError "FILE:LINE: key 'a/b': what". The message has one line even if `what` has several.
-  [[noreturn]] void fail(const std::string& what) const;
+  /// Throws InputError "FILE:LINE: key 'a/b': what". The message has one line even if `what` has several. The
+  /// value of the error is the text of a scalar. limit: see InputError::limit().
+  [[noreturn]] void fail(const std::string& what, const std::string& limit = {}) const;
+  /// Throws InputError "FILE:LINE: key 'a/b': PROBLEM; expected LIMIT". If the fault has no value, it is the
+  /// text of a scalar.
+  [[noreturn]] void fail(InputFault fault) const;
+  /// Throws InputError "FILE:LINE: key 'a/b': 'TEXT' is not one of: A, B" for a scalar.
+  [[noreturn]] void fail_choice(const std::vector<std::string>& known) const;
 
  private:
   friend class TreeBuilder;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
@@ -32,13 +33,13 @@ bool is_allowed(std::string_view key, std::string_view allowed) {
 }
 
 double factor_of(const Node& node, const char* key) {
-  std::string known;
+  std::vector<std::string> known;
   for (const Unit& unit : kUnits) {
     if (std::string_view(unit.key) != key) continue;
     if (node.is_word(unit.name)) return unit.factor;
-    known += (known.empty() ? "" : ", ") + std::string(unit.name);
+    known.emplace_back(unit.name);
   }
-  node.fail(fmt::format("'{}' is not one of: {}", node.as_string(), known));
+  node.fail_choice(known);
 }
 
 }  // namespace
@@ -70,7 +71,8 @@ bool check_unit(const std::string& unit, const FileUnits& units, const InputPlac
       fmt::format(
           "column {} has the unit {}; declare this unit together with the file's name: {{file: ..., units: {{{}: "
           "{}}}}}",
-          shown(column.key), unit, found->key, unit));
+          shown(column.key), unit, found->key, unit))
+      .with_value(unit, "the declared unit");
 }
 
 }  // namespace armtune::internal::yaml

@@ -41,8 +41,9 @@ ForceGains force_gains(const Node& node, const std::vector<std::string>& joints)
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   }
   if (points.size() != n) {
-    node.fail(fmt::format("the list has {} entries; expected {} lists (one for each joint), or {} numbers",
-                          points.size(), n, n));
+    node.fail(InputFault{.problem = fmt::format("the list has {} entries", points.size()),
+                         .value = std::to_string(points.size()),
+                         .limit = fmt::format("{} lists (one for each joint), or {} numbers", n, n)});
   }
   ForceGains gains(static_cast<Eigen::Index>(n * n));
   Eigen::Index row = 0;

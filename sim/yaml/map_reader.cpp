@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/common/nearest.hpp"
+#include "sim/yaml/source_text.hpp"
 
 namespace armtune::internal::yaml {
 namespace {
@@ -41,7 +42,8 @@ const Node& MapReader::required(std::string_view key) {
   const std::string misspelt = nearest(key, unread());
   const std::string& path = map_.key_path();
   map_.fail(fmt::format("missing key '{}' in {}{}", key, path.empty() ? "the document" : "'" + path + "'",
-                        misspelt.empty() ? "" : "; is '" + misspelt + "' a misspelling of it?"));
+                        misspelt.empty() ? "" : "; is '" + misspelt + "' a misspelling of it?"),
+            fmt::format("the key '{}'", key));
 }
 
 void MapReader::none_of(std::initializer_list<std::string_view> keys) const {
@@ -51,7 +53,9 @@ void MapReader::none_of(std::initializer_list<std::string_view> keys) const {
     if (hint.empty() && !misspelt.empty())
       hint = fmt::format("; is '{}' a misspelling of '{}'?", misspelt, key);
   }
-  map_.fail(fmt::format("one of these keys must be given: {}{}", fmt::join(keys, ", "), hint));
+  const std::string names = fmt::format("{}", fmt::join(keys, ", "));
+  map_.fail(fmt::format("one of these keys must be given: {}{}", names, hint),
+            fmt::format("one of the keys: {}", names));
 }
 
 // Returns the keys of the file that are not known. One of them may be the misspelling of a missing key. Only
@@ -82,7 +86,8 @@ double MapReader::number_in(std::string_view key, double default_value, double l
   if (!value) return default_value;
   const double number = value->as_number();
   if (number < lower || number > upper) {
-    value->fail(fmt::format("{} is out of range; expected {}", number, limits(lower, upper)));
+    value->fail(
+        InputFault{.problem = fmt::format("{} is out of range", number), .limit = limits(lower, upper)});
   }
   return number;
 }
@@ -105,8 +110,11 @@ std::string MapReader::string(std::string_view key, const std::string& default_v
 void MapReader::finish() const {
   for (const auto& [key, value] : map_.entries()) {
     if (is_known(key)) continue;
-    value.fail(fmt::format("unknown key '{}'{}; known keys: {}", key, suggestion(key, known_),
-                           known_.empty() ? "none" : fmt::format("{}", fmt::join(known_, ", "))));
+    const std::string known = known_.empty() ? "none" : fmt::format("{}", fmt::join(known_, ", "));
+    throw error_at(
+        value.file(), value.line(), value.key_path(),
+        {.problem = fmt::format("unknown key '{}'{}; known keys: {}", key, suggestion(key, known_), known)})
+        .with_value(key, fmt::format("the keys: {}", known));
   }
 }
 

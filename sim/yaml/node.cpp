@@ -1,11 +1,13 @@
 // Implements the typed reads of Node.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include "core/common/message_text.hpp"
 #include "sim/yaml/document.hpp"
@@ -39,13 +41,24 @@ void refuse_leading_zeros(const Node& node, std::string_view text) {
   const std::string decimal = without_leading_zeros(text);
   if (decimal.empty()) return;
   node.fail(fmt::format("{} has a leading zero, which makes it octal for some YAML readers; write {}",
-                        shown(text), decimal));
+                        shown(text), decimal),
+            decimal);
 }
 
 }  // namespace
 
-void Node::fail(const std::string& what) const {
-  fail_at(*file_, line_, key_path_, what);
+void Node::fail(const std::string& what, const std::string& limit) const {
+  throw error_at(*file_, line_, key_path_, {.problem = what}).with_value(text_, limit);
+}
+
+void Node::fail(InputFault fault) const {
+  if (fault.value.empty()) fault.value = text_;
+  throw error_at(*file_, line_, key_path_, std::move(fault));
+}
+
+void Node::fail_choice(const std::vector<std::string>& known) const {
+  const std::string limit = fmt::format("one of: {}", fmt::join(known, ", "));
+  fail(fmt::format("'{}' is not {}", as_string(), limit), limit);
 }
 
 std::string Node::description() const {
@@ -64,18 +77,19 @@ std::string Node::description() const {
 }
 
 const std::string& Node::plain_text(const std::string& expected) const {
-  if (kind_ != Kind::kScalar) fail(fmt::format("{}; expected {}", description(), expected));
-  if (is_text_) fail(fmt::format("{}; expected {}, without quotes", description(), expected));
+  if (kind_ != Kind::kScalar) fail(InputFault{.problem = description(), .limit = expected});
+  if (is_text_) fail(InputFault{.problem = description(), .limit = expected + ", without quotes"});
   return text_;
 }
 
 std::string Node::as_string() const {
-  if (kind_ != Kind::kScalar) fail(description() + "; expected a text");
+  if (kind_ != Kind::kScalar) fail(InputFault{.problem = description(), .limit = "a text"});
   double number = 0.0;
   const bool is_number = convert(text_, number) == std::errc() && std::isfinite(number);
   if (!is_text_ && (is_number || text_ == "true" || text_ == "false")) {
     fail(fmt::format("{0} is a {1}, but a text is expected; write it in quotes: \"{2}\"", shown(text_),
-                     is_number ? "number" : "boolean", text_));
+                     is_number ? "number" : "boolean", text_),
+         "a text");
   }
   return text_;
 }
@@ -86,13 +100,15 @@ double Node::as_number() const {
   double value = 0.0;
   const std::errc error = convert(text, value);
   if (error == std::errc::result_out_of_range) {
-    fail(shown(text) + " does not fit a double; expected a magnitude from 1e-307 to 1e308, or 0");
+    fail(InputFault{.problem = shown(text) + " does not fit a double",
+                    .limit = "a magnitude from 1e-307 to 1e308, or 0"});
   }
   if (error != std::errc()) {
-    fail(shown(text) +
-         " is not a number; expected a decimal number with '.' and no unit, such as -1.5 or 1e3");
+    fail(InputFault{.problem = shown(text) + " is not a number",
+                    .limit = "a decimal number with '.' and no unit, such as -1.5 or 1e3"});
   }
-  if (!std::isfinite(value)) fail(shown(text) + " is not finite; expected a finite number");
+  if (!std::isfinite(value))
+    fail(InputFault{.problem = shown(text) + " is not finite", .limit = "a finite number"});
   return value;
 }
 
@@ -102,50 +118,57 @@ long Node::as_integer() const {
   long value = 0;
   const std::errc error = convert(text, value);
   if (error == std::errc::result_out_of_range)
-    fail(shown(text) + " does not fit 64 bit; expected a smaller integer");
+    fail(InputFault{.problem = shown(text) + " does not fit 64 bit", .limit = "a smaller integer"});
   if (error != std::errc()) {
-    fail(shown(text) + " is not an integer; expected decimal digits only, without point, exponent or unit");
+    fail(InputFault{.problem = shown(text) + " is not an integer",
+                    .limit = "decimal digits only, without point, exponent or unit"});
   }
   return value;
 }
 
 bool Node::as_boolean() const {
-  const std::string& text = plain_text("true or false");
+  const std::string limit = "true or false";
+  const std::string& text = plain_text(limit);
   if (text == "true") return true;
   if (text == "false") return false;
   for (const auto& [meant, spellings] : {std::pair("true", " yes Yes YES on On ON y Y True TRUE 1 "),
                                          std::pair("false", " no No NO off Off OFF n N False FALSE 0 ")}) {
     if (std::string_view(spellings).find(" " + text + " ") != std::string_view::npos) {
-      fail(fmt::format("{} is not a boolean here; write {}", shown(text), meant));
+      fail(fmt::format("{} is not a boolean here; write {}", shown(text), meant), limit);
     }
   }
-  fail(shown(text) + " is not a boolean; expected true or false");
+  fail(InputFault{.problem = shown(text) + " is not a boolean", .limit = limit});
 }
 
 std::vector<double> Node::as_numbers() const {
   std::vector<double> values;
-  if (kind_ != Kind::kSequence) fail(description() + "; expected a list of numbers, such as [1.0, 2.5]");
+  if (kind_ != Kind::kSequence)
+    fail(InputFault{.problem = description(), .limit = "a list of numbers, such as [1.0, 2.5]"});
   for (const Node& item : items_) values.push_back(item.as_number());
   return values;
 }
 
 std::vector<double> Node::as_numbers(std::size_t count) const {
-  if (kind_ != Kind::kSequence) fail(fmt::format("{}; expected a list of {} numbers", description(), count));
+  if (kind_ != Kind::kSequence)
+    fail(InputFault{.problem = description(), .limit = fmt::format("a list of {} numbers", count)});
   if (items_.size() != count) {
-    fail(fmt::format("the list has {} entries; expected {} numbers", items_.size(), count));
+    fail(InputFault{.problem = fmt::format("the list has {} entries", items_.size()),
+                    .value = std::to_string(items_.size()),
+                    .limit = fmt::format("{} numbers", count)});
   }
   return as_numbers();
 }
 
 std::vector<std::string> Node::as_strings() const {
   std::vector<std::string> values;
-  if (kind_ != Kind::kSequence) fail(description() + "; expected a list of texts, such as [left, right]");
+  if (kind_ != Kind::kSequence)
+    fail(InputFault{.problem = description(), .limit = "a list of texts, such as [left, right]"});
   for (const Node& item : items_) values.push_back(item.as_string());
   return values;
 }
 
 const std::vector<Node>& Node::items() const {
-  if (kind_ != Kind::kSequence) fail(description() + "; expected a list");
+  if (kind_ != Kind::kSequence) fail(InputFault{.problem = description(), .limit = "a list"});
   return items_;
 }
 
@@ -153,8 +176,9 @@ const std::vector<std::pair<std::string, Node>>& Node::entries() const {
   if (kind_ == Kind::kMap) return entries_;
   // YAML reads 'mass:5' as one plain scalar. It is the most common reason why a map is missing.
   const bool no_space = kind_ == Kind::kScalar && !is_text_ && text_.find(':') != std::string::npos;
-  fail(fmt::format("{}; expected a map of 'key: value'{}", description(),
-                   no_space ? ", with a space after the colon" : ""));
+  fail(InputFault{
+      .problem = description(),
+      .limit = fmt::format("a map of 'key: value'{}", no_space ? ", with a space after the colon" : "")});
 }
 
 const Node* Node::find(std::string_view key) const {

@@ -12,6 +12,7 @@
 #include <unordered_map>
 
 #include "armtune/error.hpp"
+#include "core/common/input_file.hpp"
 #include "core/common/message_text.hpp"
 #include "sim/yaml/document.hpp"
 #include "sim/yaml/source_text.hpp"
@@ -86,8 +87,8 @@ class PlacedBuilder final : public YAML::EventHandler {
     std::unordered_map<std::string, int> key_lines;
   };
 
-  [[noreturn]] void fail(const YAML::Mark& mark, std::string_view what) const {
-    fail_at(file_, mark.line + 1, {}, what);
+  [[noreturn]] void fail(const YAML::Mark& mark, std::string what) const {
+    fail_at(file_, mark.line + 1, {}, std::move(what));
   }
 
   /// Returns the position of the value that follows an anchor at `at`; `at` itself if there is no anchor.
@@ -110,7 +111,8 @@ class PlacedBuilder final : public YAML::EventHandler {
     if (values_ > kMaxItems)
       fail_at(file_, line, {},
               fmt::format("the file has more than {} values, which is the largest number that is read",
-                          kMaxItems));
+                          kMaxItems),
+              fmt::format("at most {} values", kMaxItems));
   }
 
   bool takes_key(const YAML::Mark& mark, const std::string& key) {
@@ -198,10 +200,7 @@ const PlacedValue* PlacedValue::find(std::string_view key) const {
 }
 
 Placed read_placed(const std::string& text, const std::string& file) {
-  if (text.size() > kMaxBytes) {
-    throw InputError(InputPlace{file},
-                     fmt::format("larger than {} MB; expected a smaller file", kMaxBytes >> 20));
-  }
+  if (text.size() > kMaxBytes) refuse_large(file, kMaxBytes);
   check_characters(text, file);
   const std::size_t before = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   std::string body = text.substr(before);
@@ -217,7 +216,8 @@ Placed read_placed(const std::string& text, const std::string& file) {
   }
   Placed root = builder.take_root();
   if (!root || root->kind == PlacedValue::Kind::kNull)
-    throw InputError(InputPlace{file}, "empty, or nothing but comments; expected a YAML document");
+    throw InputError(InputPlace{file},
+                     InputFault{.problem = "empty, or nothing but comments", .limit = "a YAML document"});
   return root;
 }
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
-#include "armtune/error.hpp"
 #include "core/common/input_place.hpp"
 #include "core/common/message_text.hpp"
 
@@ -17,9 +17,15 @@ bool is_control(char c) {
 
 }  // namespace
 
-void fail_at(const std::string& file, int line, std::string_view key_path, std::string_view what) {
-  const std::string key = key_path.empty() ? std::string() : fmt::format("key '{}': ", key_path);
-  throw InputError(at_line(file, line, std::string(key_path)), fmt::format("{}{}", key, what));
+InputError error_at(const std::string& file, int line, std::string_view key_path, InputFault fault) {
+  if (!key_path.empty()) fault.problem.insert(0, fmt::format("key '{}': ", key_path));
+  return {at_line(file, line, std::string(key_path)), std::move(fault)};
+}
+
+void fail_at(const std::string& file, int line, std::string_view key_path, std::string what,
+             std::string limit) {
+  const InputError error = error_at(file, line, key_path, {.problem = std::move(what)});
+  throw limit.empty() ? error : error.with_value({}, std::move(limit));
 }
 
 void check_characters(std::string_view text, const std::string& file) {

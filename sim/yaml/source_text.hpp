@@ -4,12 +4,17 @@
 #include <string>
 #include <string_view>
 
+#include "armtune/error.hpp"
+
 namespace armtune::internal::yaml {
 
-/// Throws InputError "FILE:LINE: key 'a/b': what", on one line, with this place. The key is left out if the
-/// path is empty.
-[[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path,
-                          std::string_view what);
+/// Returns the InputError "FILE:LINE: key 'a/b': PROBLEM; expected LIMIT", on one line, with this place. The
+/// key is left out if the path is empty, and the limit if it is empty.
+InputError error_at(const std::string& file, int line, std::string_view key_path, InputFault fault);
+
+/// Throws InputError "FILE:LINE: key 'a/b': what" with this place. limit: see InputError::limit().
+[[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path, std::string what,
+                          std::string limit = {});
 
 /// Throws InputError for text that is not UTF-8 and for control characters. Without this check, yaml-cpp
 /// would replace bytes that are not UTF-8, silently end the file at a character with code 4, keep NUL in

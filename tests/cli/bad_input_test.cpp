@@ -112,6 +112,23 @@ TEST_F(BadInput, ARobotThatLacksDataGetsAYamlThatGivesIt) {
   EXPECT_THAT(whole.out, testing::AllOf(HasSubstr("1 joints"), HasSubstr("moving mass 4 kg")));
 }
 
+TEST_F(BadInput, ARobotWithImpossibleInertiaGetsAYamlToo) {
+  const std::string path = files_.write(
+      "arm.urdf",
+      test::robot(test::one_joint("<inertial><mass value='-2'/><inertia ixx='1' iyy='1' izz='1' ixy='0' "
+                                  "ixz='0' iyz='0'/></inertial>")));
+  EXPECT_THAT(refused({"robot", path}), testing::AllOf(HasSubstr("b (mass -2 kg)"), HasSubstr("--sidecar")));
+  const std::string sidecar = files_ / "arm.yaml";
+  const Finished done = test::run_program({"robot", path, "--sidecar", sidecar});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.out, HasSubstr("fill in physically possible inertia of b (mass -2 kg)"));
+  std::string yaml = test::read_text(sidecar);
+  const auto at = yaml.find("mass:");
+  ASSERT_NE(at, std::string::npos);
+  const Finished whole = test::run_program({"robot", files_.write("arm.yaml", yaml.insert(at + 5, " 2"))});
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
+}
+
 TEST_F(BadInput, UnknownYamlKey) {
   const std::string scenario = files_.write("bad.yaml", "base: moving_target\ndurations: 8\n");
   EXPECT_THAT(refused({"simulate", scenario}),

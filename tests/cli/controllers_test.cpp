@@ -173,9 +173,26 @@ TEST(Controllers, AreSearchedInTheNativeEngineByAnyNumberOfWorkers) {
         run_program({"tune", files.path(), "--controller", "impedance", "--out",
                      files / (std::string("run") + workers), "--workers", workers, "--no-analysis"});
     ASSERT_THAT(done.exit_code, testing::AnyOf(0, 3)) << done.err;
+    EXPECT_THAT(done.out, ContainsRegex("note: impedance_k [^\n]*--max-stiffness[^\n]*\n"));
   }
   EXPECT_TRUE(evaluations_of(files / "run1") == evaluations_of(files / "run2"));
   EXPECT_EQ(test::read_text(files / "run1/gains.yaml"), test::read_text(files / "run2/gains.yaml"));
+}
+
+// Bounds for the stiffness by an option, which a resumed run keeps.
+TEST(Controllers, TheStiffnessIsTunedUpToTheGivenBound) {
+  const KnownArm files("search: {algorithm: CRS2, max_evaluations: 6, seed: 1, engine: native}\n");
+  const Finished done =
+      run_program({"tune", files.path(), "--controller", "impedance", "--max-stiffness", "30000", "9000",
+                   "--out", files / "run", "--workers", "1", "--no-analysis"});
+  ASSERT_THAT(done.exit_code, testing::AnyOf(0, 3)) << done.err;
+  EXPECT_THAT(done.out, AllOf(HasSubstr("\nimpedance_k/rz "), testing::Not(HasSubstr("note: impedance_k"))));
+  EXPECT_THAT(test::read_text(files / "run/study.yaml"), HasSubstr("upper: 30000"));
+  const Finished resumed = run_program({"tune", "--resume", files / "run", "--workers", "1"});
+  EXPECT_THAT(resumed.exit_code, testing::AnyOf(0, 3)) << resumed.err;
+  const Finished wrong = run_program({"tune", files.path(), "--max-stiffness", "5"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, AllOf(HasSubstr("--max-stiffness"), HasSubstr("adaptive")));
 }
 
 }  // namespace controllers_test

@@ -98,6 +98,11 @@ TEST(Help, LimitsDefaultsAndOtherOptionsStandBehindADescription) {
   EXPECT_THAT(help("margins"), HasSubstr("--workers INT"));
   EXPECT_THAT(help("margins"), HasSubstr("(1 to 1024; default: one per processor)"));
   EXPECT_THAT(help("tune"), HasSubstr("(at least 1; default: study's value)"));
+  EXPECT_THAT(help("tune", "--help-all"), HasSubstr("(default: rad; only with")) << "a flag has one as well";
+  const std::string extended = help("simulate");
+  const std::string endurance = extended.substr(extended.find("--endurance"));
+  EXPECT_THAT(endurance.substr(0, endurance.find(" --yardstick")), testing::Not(HasSubstr("default:")))
+      << "its default is that of its value";
   EXPECT_THAT(help("compare"), HasSubstr("(not with --gains)"));
   EXPECT_THAT(help("init"), HasSubstr("(required)"));
   EXPECT_THAT(help("simulate", "--help-all"), HasSubstr("one of: midpoint, "));
@@ -200,6 +205,14 @@ TEST(Robot, ShowsJointsLimitsMassesAndReach) {
   }
   EXPECT_THAT(shown.out, AllOf(HasSubstr("6 joints"), HasSubstr("kg"), HasSubstr("reach"), HasSubstr("330"),
                                HasSubstr("2.16"), HasSubstr("12.93")));
+}
+
+TEST(Robot, SaysWhichOfItsValuesAreEstimatedUnknownOrDoubtful) {
+  const Finished ur10 = run_program({"robot", "ur10"});
+  EXPECT_THAT(ur10.out, HasSubstr("Joint friction: none given"));
+  EXPECT_THAT(run_program({"robot", "panda"}).out, HasSubstr("* an estimate"));
+  EXPECT_THAT(run_program({"robot", "youbot"}).out,
+              testing::Not(testing::AnyOf(HasSubstr("* an estimate"), HasSubstr("friction: none given"))));
 }
 
 TEST(Help, SaysWhatIsWrongWhereTheBundledDataIsMissing) {

@@ -94,6 +94,22 @@ TEST(OwnFiles, BecomeAStudyThatIsNotTunedYet) {
   EXPECT_FALSE(std::filesystem::exists(folder / "my study/gains.yaml"));
 }
 
+TEST(OwnFiles, TheDistributionThatIsFollowedIsNamed) {
+  const test::TemporaryFolder folder;
+  EXPECT_THAT(run_program(of_example("init", {"--out", folder / "jazzy"})).out, HasSubstr("ROS 2 Jazzy"));
+  const std::string run = folder / "run";
+  const Finished tuned = run_program(
+      of_example("tune", {"--distro", "humble", "--max-evaluations", "8", "--no-analysis", "--out", run}));
+  EXPECT_THAT(tuned.out, HasSubstr("ROS 2 Humble"));
+  EXPECT_THAT(test::read_text(folder / "run_study/study.yaml"), HasSubstr("\ndistro: humble\n"));
+  EXPECT_THAT(test::read_text(run + "/gains.yaml"), HasSubstr("jtc_distro: 1.0"));
+  EXPECT_THAT(test::read_text(run + "/verdict.yaml"), HasSubstr("ROS 2 Humble"));
+  const Finished exported = run_program(
+      {"export", run, "--into", kExample + "ros2_controllers.yaml", "--out", folder / "new.yaml"});
+  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_EQ(run_program(of_example("init", {"--distro", "rolling", "--out", folder / "none"})).exit_code, 2);
+}
+
 TEST(OwnFiles, MotionsCanBeSlowedDown) {
   const test::TemporaryFolder folder;
   const Finished made = run_program(of_example("init", {"--speed", "0.25", "--out", folder / "slow"}));

@@ -71,6 +71,7 @@ TEST(ManualPage, HasEveryCommandAndOptionOfHelp) {
     for (const std::string& option : options(command)) EXPECT_THAT(section, HasSubstr(option)) << command;
   }
   EXPECT_THAT(page, AllOf(HasSubstr("130 interrupted"), HasSubstr("armtune 0.")));
+  EXPECT_THAT(page, AllOf(HasSubstr("Default: as in the task."), HasSubstr("Default: rad.")));
 }
 
 TEST(ManualPage, IsAPageWithoutWarnings) {

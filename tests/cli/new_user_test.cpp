@@ -97,6 +97,20 @@ TEST(NewUser, IsWarnedOfFiguresThatAreNoArms) {
                                         HasSubstr("shoulder_lift_joint: it needs")));
 }
 
+TEST(NewUser, SeesTheDrivesThatTheRobotFileGives) {
+  const test::TemporaryFolder folder;
+  folder.write("arm.urdf", urdf_text(test::ur10()));
+  const auto shown = [&folder](const std::string& drives) {
+    return run_program({"robot", folder.write("arm.yaml", "urdf: arm.urdf\n" + drives)}).out;
+  };
+  EXPECT_THAT(
+      shown("drives: {position_gain: 20, torque_rate: [1, 2, 3, 4, 5, 6], delay: 0.0015, rate: 500}\n"),
+      testing::AllOf(HasSubstr("position_gain [1/s]: 20."),
+                     HasSubstr("torque_rate [N m/s, N/s]: 1, 2, 3, 4, 5, 6."),
+                     HasSubstr("delay [s]: 0.0015."), HasSubstr("rate [Hz]: 500.")));
+  EXPECT_THAT(shown(""), testing::Not(HasSubstr("Drives of the robot file")));
+}
+
 // A mesh in millimetres, for example: it meets everything, so that its pairs would be left out without a
 // word.
 TEST(NewUser, IsWarnedOfAShapeThatIsLargerThanTheArm) {

@@ -450,9 +450,14 @@ class Module(unittest.TestCase):
         with self.assertRaises(armtune.InputError) as caught:
             armtune.load_scenario(unknown)
         self.assertEqual((caught.exception.file, caught.exception.line, caught.exception.key), (str(unknown), 2, "path/center"))
+        self.assertEqual((caught.exception.value, caught.exception.limit), ("2", "3 numbers"))
+        with self.assertRaises(armtune.InputError) as caught:
+            self.rollout(workers=100000)
+        self.assertEqual((caught.exception.file, caught.exception.key, caught.exception.value, caught.exception.limit),
+                         (None, "workers", "100000", "1 to 1024"))
         with self.assertRaises(armtune.InputError) as caught:
             armtune.load_scenario("moving_targt")
-        self.assertEqual((caught.exception.line, caught.exception.key), (None, None))
+        self.assertEqual((caught.exception.line, caught.exception.key, caught.exception.value), (None, None, None))
         for name in ("", "a,b", "../up", "=1"):
             with self.assertRaisesRegex(armtune.InputError, "name: "):
                 self.scenario.name = name

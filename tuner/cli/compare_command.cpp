@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct CompareArguments {
   std::vector<std::string> sets;
   std::vector<std::string> scenarios;
   std::string stepper = "midpoint";
@@ -35,26 +35,26 @@ struct Arguments {
 
 /// Returns the scenarios that the user named, else those of the first run folder's study, else those of the
 /// bundled study ur10_gaze.
-std::vector<Scenario> scenarios_of(const Arguments& args) {
+std::vector<Scenario> compared_scenarios(const CompareArguments& args) {
   const auto run = std::find_if(args.sets.begin(), args.sets.end(), [](const std::string& set) {
     std::error_code ignored;
     return fs::exists(fs::path(set) / "study.yaml", ignored);
   });
   if (args.scenarios.empty() && run == args.sets.end()) return load_study("ur10_gaze").scenarios;
-  return cli::scenarios_of(run == args.sets.end() ? std::string() : *run, args.scenarios, {});
+  return scenarios_of(run == args.sets.end() ? std::string() : *run, args.scenarios, {});
 }
 
-int run(const Arguments& args) {
+int run_compare(const CompareArguments& args) {
   if (args.gains_only) {
-    say_gains_difference(args.sets,
-                         args.robot.empty() ? *scenarios_of(args).front().robot : *load_robot(args.robot),
-                         args.robot.empty());
+    say_gains_difference(
+        args.sets, args.robot.empty() ? *compared_scenarios(args).front().robot : *load_robot(args.robot),
+        args.robot.empty());
     return kDone;
   }
   RolloutSettings settings = args.settings;
   const std::vector<std::string> labels = set_labels(args.sets);
   if (!settings.folder.empty()) check_labels(labels, args.sets);
-  settings.scenarios = scenarios_of(args);
+  settings.scenarios = compared_scenarios(args);
   settings.stepper = stepper_from_name(args.stepper);
   std::vector<GainsToSimulate> sets;
   for (std::size_t i = 0; i < args.sets.size(); ++i)
@@ -68,27 +68,30 @@ int run(const Arguments& args) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<CompareArguments>();
   RolloutSettings& settings = args->settings;
   settings.workers = default_workers();
   CLI::App* command = app.add_subcommand(
       "compare", "Simulate gain sets in the same scenarios; print one table, with ratios to the first set");
   command->add_option("RUN_OR_GAINS", args->sets, "run folders, gains files or bundled gains")->required();
-  command->add_option("--scenarios", args->scenarios,
-                      "scenarios to simulate (default: all scenarios in the study of the first given run "
-                      "folder; without a run folder, those of the bundled study ur10_gaze)");
+  command->add_option("--scenarios", args->scenarios, "scenarios to simulate")
+      ->default_str(
+          "all scenarios in the study of the first given run folder; without a run folder, those of "
+          "the bundled study ur10_gaze");
   CLI::Option* stepper = add_stepper_option(*command, args->stepper);
   CLI::Option* workers = command->add_option("--workers", settings.workers, "number of threads")
                              ->check(CLI::Range(1, 1024))
                              ->default_str(kWorkersDefault);
   CLI::Option* deadline = command->add_option("--rollout-deadline", settings.deadline, kScenarioDeadlineHelp)
-                              ->check(CLI::PositiveNumber);
+                              ->check(CLI::PositiveNumber)
+                              ->default_str(kDeadlineDefault);
   CLI::Option* endurance = add_endurance_option(*command, settings.endurance);
   CLI::Option* all = command->add_flag("--all-metrics", args->all_metrics,
                                        "print every metric instead of only the most important ones");
-  CLI::Option* folder = command->add_option(
-      "--out", settings.folder,
-      "new folder for comparison.csv, errors_<set>.csv and report.html (default: no files)");
+  CLI::Option* folder = command
+                            ->add_option("--out", settings.folder,
+                                         "new folder for comparison.csv, errors_<set>.csv and report.html")
+                            ->default_str("no files");
   CLI::Option* gains = command->add_flag("--gains", args->gains_only,
                                          "print only the gains that differ, side by side; nothing is "
                                          "simulated");
@@ -96,13 +99,13 @@ void add_compare_command(CLI::App& app, int& exit_code) {
     gains->excludes(of_simulation);
   command
       ->add_option("--robot", args->robot,
-                   "arm that the gains are made for: a bundled robot, a robot YAML or a URDF (default: the "
-                   "arm of the first scenario)")
+                   "arm that the gains are made for: a bundled robot, a robot YAML or a URDF")
+      ->default_str("the arm of the first scenario")
       ->needs(gains);
   command->footer([] {
     return std::string("Example:\n  armtune compare published extended_tuned --scenarios fixed_target\n");
   });
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback([args, &exit_code] { exit_code = run_compare(*args); });
 }
 
 }  // namespace armtune::internal::cli

@@ -47,28 +47,33 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
           ->expected(1, -1);
   CLI::Option* node = command.add_option(
       "--node", inputs.node, "name of the controller to tune, if the file of --controllers has several");
+  CLI::Option* distro = command
+                            .add_option("--distro", inputs.distro,
+                                        "distribution of ROS that runs a joint_trajectory_controller")
+                            ->default_str("jazzy for a ROS 2 file, noetic for a ROS 1 file")
+                            ->check(CLI::IsMember({"jazzy", "humble", "noetic"}));
   CLI::Option* rate =
-      command
-          .add_option("--rate", inputs.rate,
-                      "control rate [Hz] (default: update_rate in the file of --controllers; with "
-                      "--controller it must be given)")
+      command.add_option("--rate", inputs.rate, "control rate [Hz]")
+          ->default_str("update_rate in the file of --controllers; with --controller it must be given")
           ->check(CLI::Range(10.0, 10000.0));
-  CLI::Option* degrees = command.add_flag(
-      "--degrees", inputs.degrees, "read the angles in CSV files of --trajectory in degrees (default: rad)");
+  CLI::Option* degrees =
+      command
+          .add_flag("--degrees", inputs.degrees, "read the angles in CSV files of --trajectory in degrees")
+          ->default_str("rad");
   CLI::Option* speed =
       command
           .add_option("--speed", inputs.speed,
                       "factor on the speed of the motions, as a robot's speed slider sets it: 0.5 doubles "
-                      "their times (default: 1)")
+                      "their times")
+          ->default_str("1")
           ->check(CLI::Range(0.01, 10.0));
-  CLI::Option* stiffness =
-      command
-          .add_option(
-              "--max-stiffness", inputs.max_stiffness,
-              "largest stiffness that an impedance controller may get [N m/rad, N/m]: one number, or one "
-              "for each joint (default: the stiffness is not tuned)")
-          ->expected(1, static_cast<int>(kMaxJoints))
-          ->check(CLI::PositiveNumber);
+  command
+      .add_option("--max-stiffness", inputs.max_stiffness,
+                  "largest stiffness that an impedance controller may get [N m/rad, N/m]: one number, or one "
+                  "for each joint. For a task of the tool: two, for translations and rotations, or six")
+      ->default_str("the stiffness is not tuned")
+      ->expected(1, static_cast<int>(kMaxJoints))
+      ->check(CLI::PositiveNumber);
   if (required) {
     for (CLI::Option* option : {robot, trajectory}) option->required();
   } else {
@@ -78,9 +83,9 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
     rate->needs(robot);
   }
   node->needs(controllers);
+  distro->needs(controllers);
   degrees->needs(trajectory);
   speed->needs(trajectory);
-  stiffness->needs(trajectory);
 }
 
 std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder) {

@@ -7,7 +7,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/controllers_page.hpp"
 #include "tuner/cli/say.hpp"
-#include "tuner/cli/tune_help.hpp"
+#include "tuner/cli/study_lists.hpp"
 
 namespace armtune::internal::cli {
 namespace {

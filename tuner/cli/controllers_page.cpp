@@ -19,8 +19,13 @@ const char* shape(const GainField& field) {
   return names.size() == 6 ? "task" : (names.size() == 2 ? "per joint" : "number");
 }
 
+bool is_tuned_by_default(const GainField& field) {
+  return field.search != SearchRange::kNone && field.search != SearchRange::kBounded;
+}
+
 std::string range(const GainField& field) {
   if (field.search == SearchRange::kNone) return "";
+  if (field.search == SearchRange::kBounded) return "only up to a given bound";
   if (field.search == SearchRange::kCriticalDamping) return "0 to max(Kp^2/4, 2*start)";
   return fmt::format("{:.3g} to {:.3g} times the start", field.lower_factor, field.upper_factor);
 }
@@ -28,8 +33,8 @@ std::string range(const GainField& field) {
 void add_rows(const std::vector<GainField>& fields, bool of_some, std::string& text) {
   for (const GainField& field : fields) {
     if (is_of_some(field) != of_some) continue;
-    text += fmt::format("{} {:<28} {:<10} {:<26} {}{}\n", field.search != SearchRange::kNone ? "*" : " ",
-                        field.name, shape(field), range(field), field.meaning,
+    text += fmt::format("{} {:<28} {:<10} {:<26} {}{}\n", is_tuned_by_default(field) ? "*" : " ", field.name,
+                        shape(field), range(field), field.meaning,
                         *field.unit ? fmt::format(" [{}]", field.unit) : "");
   }
 }
@@ -46,6 +51,7 @@ std::string controllers_text() {
   return text +
          "\n* tuned by default, within the range shown. 'start' is the start value of the gain.\n"
          "Kp is the start value of task_space_gains_p for the same axis.\n"
+         "only up to a given bound: tuned if the study gives 'upper', or 'armtune tune' --max-stiffness.\n"
          "number: one value; per joint: one for each joint; per point: one for each joint origin or link;\n"
          "task: six values, for x y z and for the rotations about x y z.\n"
          "A gains file names its controller with the key 'controller: NAME'; without this key the file is\n"

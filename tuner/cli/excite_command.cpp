@@ -13,7 +13,7 @@
 namespace armtune::internal::cli {
 namespace {
 
-int run(const ExciteArguments& args) {
+int run_excite(const ExciteArguments& args) {
   const ExciteSettings settings = settings_of(args);
   ExcitePrinter printer;
   const ExciteOutcome outcome = ExciteSession(settings, session_context(), printer).run();
@@ -59,7 +59,7 @@ void add_excite_command(CLI::App& app, int& exit_code) {
       "Example:\n  armtune excite ur10 --center 0,-90,-60,-90,90,0 --min-height 0.1 --out runs/excite "
       "--scenario moving_target\n"
       "  armtune identify runs/excite/log_moving_target.csv --robot ur10 --out runs/identified\n");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback([args, &exit_code] { exit_code = run_excite(*args); });
 }
 
 }  // namespace armtune::internal::cli

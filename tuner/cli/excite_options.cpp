@@ -28,8 +28,8 @@ void add_motion_options(CLI::App& command, ExciteArguments& args) {
   ExcitationOptions& d = args.settings.design;
   command
       .add_option("--center", args.center_deg,
-                  "joint positions around which the arm moves [deg; m for prismatic joints] (default: the "
-                  "middle of the position limits)")
+                  "joint positions around which the arm moves [deg; m for prismatic joints]")
+      ->default_str("the middle of the position limits")
       ->delimiter(',');
   command
       .add_option("--amplitude", d.amplitude,
@@ -39,10 +39,12 @@ void add_motion_options(CLI::App& command, ExciteArguments& args) {
   command.add_option("--margin", d.margin, "share of the velocity and effort limits that the motion may use")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  command.add_option(
-      "--min-height", d.min_height,
-      "lowest allowed z of the tool and of the joint origins, in the base frame [m]; the origins of the "
-      "first two joints are exempt (default: no limit)");
+  command
+      .add_option(
+          "--min-height", d.min_height,
+          "lowest allowed z of the tool and of the joint origins, in the base frame [m]; the origins of "
+          "the first two joints are exempt")
+      ->default_str("no limit");
   command.add_option("--frequency", d.frequency, "base frequency of the motion's Fourier series [Hz]")
       ->check(CLI::Range(1e-3, 10.0))
       ->capture_default_str();
@@ -54,8 +56,8 @@ void add_motion_options(CLI::App& command, ExciteArguments& args) {
       ->capture_default_str();
   command
       .add_option("--fade", args.fade,
-                  "time in which the motion builds up at the start and dies down at the end [s] (default: 2, "
-                  "or a quarter of the trajectory's duration if that is less)")
+                  "time in which the motion builds up at the start and dies down at the end [s]")
+      ->default_str("2, or a quarter of the trajectory's duration if that is less")
       ->check(CLI::Range(0.1, 10.0));
 }
 

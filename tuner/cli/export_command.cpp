@@ -26,7 +26,7 @@
 namespace armtune::internal::cli {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   GainsToExport what;
   std::string format = "yaml";
   std::string node;
@@ -35,20 +35,19 @@ struct Arguments {
 };
 
 /// Returns the text of the ROS parameter file `args.into`, in which only the gains are changed.
-std::string changed_controllers(const Arguments& args, const GainsFile& gains) {
-  const auto file = read_parameter_file(args.into, args.node);
-  if (!file) chosen_controller({}, args.into, args.node);  // throws
-  const std::string kind = controller_gains(file->controller, file->path, gains.joints).controller;
+std::string changed_controllers(const ExportArguments& args, const GainsFile& gains) {
+  const ParameterFile file = parameter_file_for(gains.gains, args.into, args.node);
+  const std::string kind = controller_gains(file.controller, file.path, gains.joints).controller;
   if (gains.gains.controller != kind) {
     throw InputError(
         fmt::format("{}: the gains are for the controller '{}', but {} is a {}; give gains of that "
                     "controller, or export without --into",
-                    args.what.set, gains.gains.controller, file->controller.name, kind));
+                    args.what.set, gains.gains.controller, file.controller.name, kind));
   }
-  return with_gains(file->text, file->controller, file->path, gains.gains, gains.joints);
+  return with_gains(file.text, file.controller, file.path, gains.gains, gains.joints);
 }
 
-int run(const Arguments& args) {
+int run_export(const ExportArguments& args) {
   const GainsFormat format = gains_format_from_name(args.format);
   const std::string path = find_data_file("gains", gains_name(args.what.set));
   const std::string run = run_above(path);
@@ -83,7 +82,7 @@ int run(const Arguments& args) {
 }  // namespace
 
 void add_export_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<ExportArguments>();
   CLI::App* command = app.add_subcommand("export", "Write gains in a format that a robot can load");
   command->add_option("RUN_OR_GAINS", args->what.set, "run folder, gains file or bundled gains")->required();
   command
@@ -101,11 +100,12 @@ void add_export_command(CLI::App& app, int& exit_code) {
       "--node", args->node,
       "node or namespace of the parameters in the output (default: simple_effort_ctrl; with ros2 the "
       "pattern /**, which means every node). With --into: name of the controller, if the file has several");
-  command->add_option(
-      "--robot", args->what.robot,
-      "arm that the gains are made for: a bundled robot, a robot YAML or a URDF (default: the arm of the "
-      "run's study; for gains outside a run folder, ur10)");
-  into->needs(command->add_option("--out", args->file, "new file for the output (default: standard output)"));
+  command
+      ->add_option("--robot", args->what.robot,
+                   "arm that the gains are made for: a bundled robot, a robot YAML or a URDF")
+      ->default_str("the arm of the run's study; for gains outside a run folder, ur10");
+  into->needs(
+      command->add_option("--out", args->file, "new file for the output")->default_str("standard output"));
   command->footer(
       "A comment at the top of the file lists the study, the seed and the input files of the run, how close\n"
       "the simulated joints came to their limits, and the order of axes and joints in lists of numbers. The\n"
@@ -113,7 +113,7 @@ void add_export_command(CLI::App& app, int& exit_code) {
       "Example:\n"
       "  armtune export runs/tuned --format ros2 --out gains.yaml\n"
       "  armtune export runs/moves --into ros2_controllers.yaml --out tuned_controllers.yaml");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback([args, &exit_code] { exit_code = run_export(*args); });
 }
 
 }  // namespace armtune::internal::cli

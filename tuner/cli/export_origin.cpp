@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_folder(const std::string& set) {
+bool names_folder(const std::string& set) {
   std::error_code ignored;
   return fs::is_directory(set, ignored);
 }
@@ -28,7 +28,7 @@ bool is_folder(const std::string& set) {
 std::shared_ptr<const RobotModel> robot_of(const GainsToExport& what, const std::string& run) {
   if (!what.robot.empty()) return load_robot(what.robot);
   if (!run.empty()) return scenarios_of(run, {}, {}).front().robot;
-  if (!is_folder(what.set)) return load_robot("ur10");
+  if (!names_folder(what.set)) return load_robot("ur10");
   throw InputError(fmt::format(
       "{}: has no study.yaml, so the arm of the gains is unknown; name the arm with --robot", what.set));
 }
@@ -38,7 +38,7 @@ std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& 
   std::vector<std::string> files = {robot};
   if (!what.robot.empty()) files.push_back(read_robot_file(what.robot).path);
   const auto of_robot = origin_of_files(files);
-  if (run.empty() && !is_folder(what.set)) {
+  if (run.empty() && !names_folder(what.set)) {
     files.push_back(path);
     return origin_of_files(files);
   }

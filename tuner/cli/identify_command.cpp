@@ -13,12 +13,12 @@
 namespace armtune::internal::cli {
 namespace {
 
-struct Arguments {
+struct IdentifyArguments {
   std::string robot;
   IdentifySettings settings = {};
 };
 
-int run(const Arguments& args) {
+int run_identify(const IdentifyArguments& args) {
   IdentifySettings settings = args.settings;
   settings.model = load_robot(args.robot);
   const std::string& columns = settings.columns_path;
@@ -33,7 +33,7 @@ int run(const Arguments& args) {
 }  // namespace
 
 void add_identify_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<IdentifyArguments>();
   IdentifySettings& settings = args->settings;
   CLI::App* command = app.add_subcommand(
       "identify",
@@ -50,9 +50,10 @@ void add_identify_command(CLI::App& app, int& exit_code) {
                    "bundled robot, robot YAML or URDF; it gives the geometry, the joint names and the prior "
                    "values of the parameters")
       ->required();
-  command->add_option("--out", settings.folder,
-                      "new folder for theta.yaml, base_parameters.csv, robot.urdf and other results "
-                      "(default: no files)");
+  command
+      ->add_option("--out", settings.folder,
+                   "new folder for theta.yaml, base_parameters.csv, robot.urdf and other results")
+      ->default_str("no files");
   command->add_option("--columns", settings.columns_path,
                       "YAML file (column map) with the log column of each quantity, and with the factors "
                       "that convert other units to SI units");
@@ -88,7 +89,7 @@ void add_identify_command(CLI::App& app, int& exit_code) {
       "  position: {columns: [q1, q2], scale: 0.0174533}\n"
       "  torque: {columns: [tau1, tau2], scale: [10.0, 8.5]}\n"
       "In the logs, cells may be separated by commas, semicolons, tabs or blanks.\n");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback([args, &exit_code] { exit_code = run_identify(*args); });
 }
 
 }  // namespace armtune::internal::cli

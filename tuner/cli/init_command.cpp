@@ -12,6 +12,7 @@
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/say.hpp"
+#include "tuner/cli/shell_words.hpp"
 
 namespace armtune::internal::cli {
 

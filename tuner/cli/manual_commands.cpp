@@ -18,7 +18,7 @@ namespace armtune::internal::cli {
 namespace {
 
 constexpr const char* kProgram = "armtune";
-constexpr const char* kOutHelp = "file for the output (default: standard output)";
+constexpr const char* kOutHelp = "file for the output";
 
 void put(const std::string& text, const std::string& file) {
   file.empty() ? say(text) : write_text_file(file, text);
@@ -29,7 +29,7 @@ void put(const std::string& text, const std::string& file) {
 void add_man_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("man", "Print the manual page");
   auto file = std::make_shared<std::string>();
-  command->add_option("--out", *file, kOutHelp);
+  command->add_option("--out", *file, kOutHelp)->default_str("standard output");
   command->footer("To read it:  armtune man | man -l -\nIf armtune is installed:  man armtune");
   command->callback([&app, file] {
     const auto version = versions().front();
@@ -43,7 +43,7 @@ void add_completion_command(CLI::App& app, int&) {
   auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "bash or zsh")->required()->check(CLI::IsMember(shell_names()));
   auto file = std::make_shared<std::string>();
-  command->add_option("--out", *file, kOutHelp);
+  command->add_option("--out", *file, kOutHelp)->default_str("standard output");
   command->footer(
       "For the current shell only:  source <(armtune completion bash)\n"
       "If armtune is installed, bash and zsh have the completion already.");

@@ -21,7 +21,7 @@
 namespace armtune::internal::cli {
 namespace {
 
-struct Arguments {
+struct MarginsArguments {
   std::string set;
   std::vector<std::string> scenarios;
   std::vector<std::string> limits;
@@ -29,7 +29,7 @@ struct Arguments {
   MarginsSettings settings = {};
 };
 
-int run(const Arguments& args) {
+int run_margins(const MarginsArguments& args) {
   MarginsSettings settings = args.settings;
   settings.options.stepper = stepper_from_name(args.stepper);
   settings.options.limits = parse_limits(args.limits);
@@ -74,30 +74,26 @@ std::string help_footer() {
 }  // namespace
 
 void add_margins_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<MarginsArguments>();
   args->settings.options.workers = default_workers();
   CLI::App* command = app.add_subcommand(
       "margins", "Find stability margins by bisection: extra delay, gain, control rate, noise");
   command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
-  command->add_option(
-      "--scenarios", args->scenarios,
-      "scenarios to simulate (default: all scenarios in the run's study; without a study: fixed_target, "
-      "moving_target, target_switch, obstacle_pass and their realistic_ variants)");
-  command->add_option(
-      "--limit", args->limits,
-      "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated "
-      "(default: the arm's limits of velocity, position and, if its file has them, acceleration; and "
-      "no contact)");
+  command->add_option("--scenarios", args->scenarios, "scenarios to simulate")
+      ->default_str(
+          "all scenarios in the run's study; without a study: fixed_target, moving_target, "
+          "target_switch, obstacle_pass and their realistic_ variants");
+  command->add_option("--limit", args->limits, kLimitHelp)->default_str(kLimitDefault);
   add_stepper_option(*command, args->stepper);
-  command->add_option("--out", args->settings.folder,
-                      "new folder for margins.csv and run.yaml (default: no files)");
+  command->add_option("--out", args->settings.folder, "new folder for margins.csv and run.yaml")
+      ->default_str("no files");
   command
       ->add_option("--workers", args->settings.options.workers,
                    "number of threads; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);
   command->footer(help_footer);
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback([args, &exit_code] { exit_code = run_margins(*args); });
 }
 
 }  // namespace armtune::internal::cli

@@ -30,7 +30,8 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
   std::map<std::pair<std::string, std::string>, std::vector<std::uint64_t>> breaks;
   for (const MonteCarloSample& sample : samples) {
     for (std::size_t s = 0; s < scenarios.size(); ++s) {
-      if (!sample.broken[s].empty()) breaks[{scenarios[s].name, sample.broken[s]}].push_back(sample.number);
+      if (!sample.broken[s].text.empty())
+        breaks[{scenarios[s].name, sample.broken[s].text}].push_back(sample.number);
     }
   }
   constexpr std::size_t kShown = 8;

@@ -35,10 +35,16 @@ inline constexpr const char* kWorkersHelp =
 inline constexpr const char* kWorkersDefault = "one per processor";
 inline constexpr const char* kDeadlineHelp =
     "wall-clock time limit of one rollout (the simulation of one scenario) [s]; beyond it the run ends with "
-    "an error (default: 20, plus 2 per simulated second)";
+    "an error";
 /// Help text of --rollout-deadline in commands that simulate each scenario independently.
 inline constexpr const char* kScenarioDeadlineHelp =
-    "wall-clock time limit of one scenario [s]; beyond it the scenario is interrupted (default: 20, plus 2 "
-    "per simulated second)";
+    "wall-clock time limit of one scenario [s]; beyond it the scenario is interrupted";
+/// Default of --rollout-deadline as --help shows it.
+inline constexpr const char* kDeadlineDefault = "20, plus 2 per simulated second";
+/// Help text and default of --limit, of which each value is one limit of a metric.
+inline constexpr const char* kLimitHelp =
+    "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated";
+inline constexpr const char* kLimitDefault =
+    "the arm's limits of velocity, position and, if its file has them, acceleration; and no contact";
 
 }  // namespace armtune::internal::cli

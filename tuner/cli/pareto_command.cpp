@@ -10,23 +10,25 @@
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/stiffness_option.hpp"
 #include "tuner/first_task/steady_start.hpp"
 
 namespace armtune::internal::cli {
 namespace {
 
-struct Arguments {
+struct ParetoArguments {
   std::string study;
   std::string controller;  ///< controller to tune; empty: the study's
   long seed = -1;
   FrontSettings settings = {};
 };
 
-int run(const Arguments& args, RankGroup& team) {
+int run_pareto(const ParetoArguments& args, RankGroup& team) {
   Study study = load_inputs(args.settings.place, [&args] {
     return load_steady_study(args.study, args.controller, args.settings.workers);
   });
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
+  apply_stiffness({}, study);
   FrontSettings settings = args.settings;
   if (settings.place.folder.empty()) settings.place.folder = default_run_folder("pareto_" + study.name);
   FrontPrinter printer(settings);
@@ -39,7 +41,7 @@ int run(const Arguments& args, RankGroup& team) {
 }  // namespace
 
 void add_pareto_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<ParetoArguments>();
   FrontSettings& settings = args->settings;
   settings.criteria = {"objective", "joint_velocity/max_ratio"};
   settings.workers = default_workers();
@@ -59,19 +61,19 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
           "--levels", settings.levels,
           "number of upper bounds for each criterion except the first. For each bound (with three criteria: "
           "each pair of bounds) the first criterion is minimised. The bounds are gone through twice: from the "
-          "lowest to the highest, then back (default: 12, or 4 with three criteria)")
+          "lowest to the highest, then back")
+      ->default_str("12, or 4 with three criteria")
       ->check(CLI::Range(2, 1000));
   command
       ->add_option("--max-evaluations", settings.max_evaluations,
-                   "number of evaluations; each simulates every scenario with one gain set (default: four "
-                   "times the number in the study)")
+                   "number of evaluations; each simulates every scenario with one gain set")
+      ->default_str("four times the number in the study")
       ->check(CLI::Range(1L, 1000000000L));
-  command
-      ->add_option("--seed", args->seed,
-                   "seed of algorithms that use random numbers (default: the study's seed)")
+  command->add_option("--seed", args->seed, "seed of algorithms that use random numbers")
+      ->default_str("the study's seed")
       ->check(CLI::Range(0L, 1000000000000L));
-  add_run_options(*command, "new folder for the results (default: runs/pareto_<study>_<time>)",
-                  settings.place, settings.workers, settings.deadline);
+  add_run_options(*command, "new folder for the results", "runs/pareto_<study>_<time>", settings.place,
+                  settings.workers, settings.deadline);
   command->footer(
       "Every point of the front keeps the study's constraints. The first search minimises the first\n"
       "criterion, with the study's search keys global, global_share, algorithm and constraints. The steps,\n"
@@ -81,7 +83,7 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
       "worse than with the start gains.\n\n"
       "Example:\n  armtune pareto ur10_gaze --criteria gaze/rms "
       "joint_velocity/max_ratio effort_rate/rms --levels 5\n");
-  command->callback([args, &exit_code] { exit_code = run(*args, team()); });
+  command->callback([args, &exit_code] { exit_code = run_pareto(*args, team()); });
 }
 
 }  // namespace armtune::internal::cli

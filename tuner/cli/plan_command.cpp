@@ -15,7 +15,7 @@
 namespace armtune::internal::cli {
 namespace {
 
-struct Arguments {
+struct PlanArguments {
   std::string task;
   std::string folder;
   int knots = 0;
@@ -54,7 +54,7 @@ constexpr const char* kExample =
     "  armtune plan ur10_switch --out runs/switch\n"
     "  armtune simulate runs/switch/planned_ur10_switch.yaml\n";
 
-int run(const Arguments& args) {
+int run_plan(const PlanArguments& args) {
   PlanSettings settings;
   settings.task = load_plan_task(args.task);
   if (args.knots > 0) settings.task.knots = args.knots;
@@ -68,26 +68,25 @@ int run(const Arguments& args) {
 }  // namespace
 
 void add_plan_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<PlanArguments>();
   CLI::App* command = app.add_subcommand(
       "plan", "Plan a trajectory offline, with the least time or error that the arm's limits allow");
   command->add_option("TASK", args->task, "bundled task or task file")->required();
-  command->add_option("--out", args->folder,
-                      "new folder for trajectory.csv, joint_trajectory.yaml, report.html and other results "
-                      "(default: runs/<task>_<time>)");
   command
-      ->add_option("--knots", args->knots, "number of intervals of the time grid (default: as in the task)")
+      ->add_option("--out", args->folder,
+                   "new folder for trajectory.csv, joint_trajectory.yaml, report.html and other results")
+      ->default_str("runs/<task>_<time>");
+  command->add_option("--knots", args->knots, "number of intervals of the time grid")
+      ->default_str("as in the task")
       ->check(CLI::Range(12, 100000));
-  command
-      ->add_option("--duration", args->duration,
-                   "fixed duration of the motion [s] (default: as in the task; if the task has no duration, "
-                   "the least possible)")
+  command->add_option("--duration", args->duration, "fixed duration of the motion [s]")
+      ->default_str("as in the task; if the task has no duration, the least possible")
       ->check(CLI::Range(1e-3, 1e4));
   command->add_option("--ros", args->ros, "ROS version for which joint_trajectory.yaml is written")
       ->check(CLI::IsMember({1, 2}))
       ->capture_default_str();
   command->footer([] { return kFooter + tasks() + kExample; });
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback([args, &exit_code] { exit_code = run_plan(*args); });
 }
 
 }  // namespace armtune::internal::cli

@@ -15,12 +15,12 @@
 namespace armtune::internal::cli {
 namespace {
 
-struct Arguments {
+struct ReportArguments {
   std::string folder;
   std::string path;
 };
 
-int run(const Arguments& args) {
+int run_report(const ReportArguments& args) {
   const bool own = args.path.empty();
   const std::string path = own ? args.folder + "/report.html" : args.path;
   if (!own) refuse_existing(path);  // before the work, not after it
@@ -36,15 +36,14 @@ int run(const Arguments& args) {
 }  // namespace
 
 void add_report_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<ReportArguments>();
   CLI::App* command =
       app.add_subcommand("report", "Write the report of a run again: one HTML page with replay and plots");
   command
       ->add_option("DIR", args->folder, "run folder of simulate, tune, pareto, robustness, compare or plan")
       ->required();
-  command->add_option(
-      "--out", args->path,
-      "file for the page, which must not exist yet (default: DIR/report.html, which is overwritten)");
+  command->add_option("--out", args->path, "file for the page, which must not exist yet")
+      ->default_str("DIR/report.html, which is overwritten");
   command->footer(
       "The page needs neither a server nor a network. Sections for which the folder has no data are left\n"
       "out. Meshes of the arm are drawn if they are binary STL files in the robot's folder. The robot's\n"
@@ -53,7 +52,7 @@ void add_report_command(CLI::App& app, int& exit_code) {
       "To allow further folders, list them in the environment variable ARMTUNE_MESHES, as FOLDER:FOLDER, or\n"
       "as PACKAGE=FOLDER for a ROS package.\n\n"
       "Example:\n  armtune report runs/ur10_gaze_20261121-103000\n");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback([args, &exit_code] { exit_code = run_report(*args); });
 }
 
 }  // namespace armtune::internal::cli

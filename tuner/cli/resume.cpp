@@ -13,6 +13,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/session_printer.hpp"
+#include "tuner/cli/shell_words.hpp"
 #include "tuner/ranks/transport.hpp"
 
 namespace armtune::internal::cli {
@@ -45,17 +46,9 @@ std::optional<std::string> cut(std::vector<std::string>& words, const std::strin
 
 }  // namespace
 
-std::string shell_word(const std::string& word) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& place, int& workers,
-                     double& deadline) {
-  command.add_option("--out", place.folder, out_help);
+void add_run_options(CLI::App& command, const std::string& out_help, const std::string& out_default,
+                     RunPlace& place, int& workers, double& deadline) {
+  command.add_option("--out", place.folder, out_help)->default_str(out_default);
   command.add_option_function<std::string>(
       kResume,
       [&place](const std::string& folder) {
@@ -66,13 +59,9 @@ void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& p
   command.add_option("--workers", workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);
-  command.add_option("--rollout-deadline", deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
-}
-
-std::string quoted_command(const std::vector<std::string>& words) {
-  std::string text = "armtune";
-  for (std::size_t i = 1; i < words.size(); ++i) text += ' ' + shell_word(words[i]);
-  return text;
+  command.add_option("--rollout-deadline", deadline, kDeadlineHelp)
+      ->check(CLI::PositiveNumber)
+      ->default_str(kDeadlineDefault);
 }
 
 std::string repeating_command(std::vector<std::string> words) {

@@ -1,6 +1,6 @@
 #pragma once
 // The option --resume FOLDER. It resumes a run that was killed or interrupted, with the command line that the
-// run was started with. Also restores such a command line, and quotes command lines for a shell.
+// run was started with. Also restores such a command line.
 
 #include <string>
 #include <vector>
@@ -16,9 +16,9 @@ class App;
 namespace armtune::internal::cli {
 
 /// Adds --out, --resume, --workers and --rollout-deadline to a command whose runs can be resumed. out_help:
-/// help text of --out.
-void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& place, int& workers,
-                     double& deadline);
+/// help text of --out. out_default: words for its default.
+void add_run_options(CLI::App& command, const std::string& out_help, const std::string& out_default,
+                     RunPlace& place, int& workers, double& deadline);
 
 /// Returns the words of the command line to run, beginning with the program's name. Without --resume they are
 /// `words`. With --resume they are the words that the folder's run was started with, then --resume and the
@@ -27,12 +27,6 @@ void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& p
 /// is printed instead. Throws InputError if the folder holds no journal, if its run was started
 /// by another command or through the library, or if `words` contains any other option or argument.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
-
-/// Returns the word in a form that a shell reads as one word.
-std::string shell_word(const std::string& word);
-
-/// Returns the command line, quoted for a shell, with armtune in place of the program's path.
-std::string quoted_command(const std::vector<std::string>& words);
 
 /// Returns the command that repeats a run from its start, quoted for a shell. It works if the --out folder of
 /// the command does not exist yet. words: result of resumed_arguments.

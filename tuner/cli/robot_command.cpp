@@ -61,21 +61,19 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
 void look_at(const std::string& name_or_path, const std::string& sidecar, const std::string& task,
              const TaskOptions& options) {
   const RobotFile file = read_robot_file(name_or_path);
+  if (!sidecar.empty()) return write_sidecar(file, sidecar);
   const MissingData missing = missing_data(file.urdf, file.options);
-  if (!sidecar.empty()) return write_sidecar(file, missing, sidecar);
   if (missing.empty()) {
     const auto robot = load_robot(name_or_path);
     show_robot(*robot);
     if (!task.empty()) make_task(name_or_path, options, task);
     return;
   }
-  MissingData to_fill_in = missing;
-  to_fill_in.impossible.clear();
   throw InputError(
       InputPlace{file.path},
       fmt::format("missing: {}. The option --sidecar arm.yaml writes a robot YAML {}", named(missing),
-                  to_fill_in.empty() ? "with the nearest physically possible inertia"
-                                     : "where you can fill in these values"));
+                  to_fill_in(missing).empty() ? "with the nearest physically possible inertia"
+                                              : "where you can fill in these values"));
 }
 
 }  // namespace
@@ -91,7 +89,7 @@ void add_robot_command(CLI::App& app, int&) {
   auto sidecar = std::make_shared<std::string>();
   command->add_option("--sidecar", *sidecar,
                       "new robot YAML in which you fill in the values that the URDF lacks (limits, inertia). "
-                      "If no value is missing, the file has proposals for doubtful values");
+                      "It also has proposals for doubtful values, as comments");
   auto task = std::make_shared<std::string>();
   command
       ->add_option("--task", *task,
@@ -99,10 +97,8 @@ void add_robot_command(CLI::App& app, int&) {
                    "simulated arm completes this scenario, and a study that tunes these gains")
       ->excludes("--sidecar");
   auto options = std::make_shared<TaskOptions>();
-  command
-      ->add_option(
-          "--floor", options->floor,
-          "height of the floor above the base frame [m] (default: 0 for an upright arm, otherwise no floor)")
+  command->add_option("--floor", options->floor, "height of the floor above the base frame [m]")
+      ->default_str("0 for an upright arm, otherwise no floor")
       ->needs("--task");
   command->footer([] { return std::string("Example:\n  armtune robot panda --task runs/first\n"); });
   command->callback([file, sidecar, task, options] {

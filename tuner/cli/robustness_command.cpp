@@ -18,7 +18,7 @@
 namespace armtune::internal::cli {
 namespace {
 
-struct Arguments {
+struct RobustnessArguments {
   std::string set;
   std::vector<std::string> scenarios;
   std::vector<std::string> limits;
@@ -29,7 +29,7 @@ struct Arguments {
   MonteCarloSettings settings = {};
 };
 
-int run(const Arguments& args, RankGroup& team) {
+int run_robustness(const RobustnessArguments& args, RankGroup& team) {
   MonteCarloSettings settings = args.settings;
   MonteCarloOptions& options = settings.options;
   options.stepper = stepper_from_name(args.stepper);
@@ -59,16 +59,17 @@ int run(const Arguments& args, RankGroup& team) {
 }  // namespace
 
 void add_robustness_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<RobustnessArguments>();
   args->settings.options.workers = default_workers();
   Perturbation& p = args->settings.options.perturbation;
   CLI::App* command = app.add_subcommand(
       "robustness",
       "Simulate gains on randomly changed models of the arm: share that keeps all limits, and quantiles");
   command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
-  command->add_option("--scenarios", args->scenarios,
-                      "scenarios to simulate (default: all scenarios in the run's study; without a study: "
-                      "realistic_target_switch and realistic_obstacle_pass)");
+  command->add_option("--scenarios", args->scenarios, "scenarios to simulate")
+      ->default_str(
+          "all scenarios in the run's study; without a study: realistic_target_switch and "
+          "realistic_obstacle_pass");
   command->add_option("--samples", args->settings.options.samples, "number of random arms")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
@@ -81,10 +82,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
           "simulate only the random arm with this number; its result is the same as in a run with all arms. "
           "With --out, the arm is written as arm.urdf and arm.yaml")
       ->check(CLI::Range(0L, 1000000000L));
-  command->add_option(
-      "--limit", args->limits,
-      "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated (default: the "
-      "arm's limits of velocity, position and, if its file has them, acceleration; and no contact)");
+  command->add_option("--limit", args->limits, kLimitHelp)->default_str(kLimitDefault);
   CLI::Option* payload = nullptr;
   for (const PerturbationField& f : perturbation_fields()) {
     std::string option = fmt::format("--{}", f.name);
@@ -99,20 +97,19 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   }
   command
       ->add_flag("!--fixed-phases", p.phases,
-                 "let targets and obstacles begin at the positions that the scenario gives (default: at "
-                 "random positions on their paths)")
+                 "let targets and obstacles begin at the positions that the scenario gives")
+      ->default_str("at random positions on their paths")
       ->group("Uncertainty (uniform)");
   add_stepper_option(*command, args->stepper);
-  add_run_options(*command,
-                  "new folder for samples.csv, summary.csv, verdict.yaml, run.yaml and report.html (default: "
-                  "runs/robustness_<time>, or no files with --sample)",
-                  args->settings.place, args->settings.options.workers, args->settings.deadline);
+  add_run_options(*command, "new folder for samples.csv, summary.csv, verdict.yaml, run.yaml and report.html",
+                  "runs/robustness_<time>, or no files with --sample", args->settings.place,
+                  args->settings.options.workers, args->settings.deadline);
   command->footer(
       "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "
       "--limit 'joint_velocity/max_ratio<=0.9'\n");
   command->callback([args, payload, &exit_code] {
     args->payload_given = payload->count() > 0;
-    exit_code = run(*args, team());
+    exit_code = run_robustness(*args, team());
   });
 }
 

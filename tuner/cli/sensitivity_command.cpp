@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "armtune/error.hpp"
-#include "tuner/cli/changed_inputs.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
@@ -19,12 +18,13 @@
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/session/changed_inputs.hpp"
 #include "tuner/session/sensitivity_session.hpp"
 
 namespace armtune::internal::cli {
 namespace {
 
-int run(SensitivitySettings settings, RankGroup& team) {
+int run_sensitivity(SensitivitySettings settings, RankGroup& team) {
   settings.study = load_study(run_file(settings.run, "study.yaml"));
   std::vector<std::string> files;
   add_inputs(settings.study.scenarios, files);
@@ -60,7 +60,9 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
   command->add_option("--workers", settings->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);
-  command->add_option("--rollout-deadline", settings->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
+  command->add_option("--rollout-deadline", settings->deadline, kDeadlineHelp)
+      ->check(CLI::PositiveNumber)
+      ->default_str(kDeadlineDefault);
   command->footer(
       "importance  increase of the merit of the best gains if only this gain returns to its start value\n"
       "local       largest relative change of the merit for a step of 2 % of the gain's range, up or down\n"
@@ -70,7 +72,7 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
       "The merit is objective + penalty * (sum of the relative constraint violations), with the penalty of\n"
       "the study's search. A smaller merit is better.\n\n"
       "Example:\n  armtune tune ur10_gaze --out runs/gaze\n  armtune sensitivity runs/gaze\n");
-  command->callback([settings, &exit_code] { exit_code = run(*settings, team()); });
+  command->callback([settings, &exit_code] { exit_code = run_sensitivity(*settings, team()); });
 }
 
 }  // namespace armtune::internal::cli

@@ -2,25 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
+#include "tuner/cli/gain_tables.hpp"
 #include "tuner/cli/say.hpp"
 
 namespace armtune::internal::cli {
 
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most) {
-  say(fmt::format("{:<38}{:>10}{:>10}{:>12}{:>10}\n", "gain, most important first", "start", "best",
-                  "importance", "local"));
-  const std::size_t shown = std::min(most, sensitivity.parameters.size());
-  for (std::size_t i = 0; i < shown; ++i) {
-    const ParameterSensitivity& s = sensitivity.parameters[i];
-    const Parameter& p = study.space.free[s.parameter];
-    say(fmt::format("{:<38}{:>10.4g}{:>10.4g}{:>12.4f}{:>10}\n", p.entry.name, p.start, s.best, s.importance,
-                    fmt::format("{:.2f} %", 100.0 * s.local)));
-  }
-  if (shown < sensitivity.parameters.size()) {
-    say(fmt::format("  and {} more in sensitivity.csv\n", sensitivity.parameters.size() - shown));
+  say(sensitivity_table(study, sensitivity, most));
+  if (most < sensitivity.parameters.size()) {
+    say(fmt::format("  and {} more in sensitivity.csv\n", sensitivity.parameters.size() - most));
   }
   say(
       fmt::format("importance: increase of the merit (objective plus penalties; less is better) if\n"

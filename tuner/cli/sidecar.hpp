@@ -9,13 +9,17 @@
 
 namespace armtune::internal::cli {
 
-/// Returns what is missing as text, such as "velocity limit of a, b; inertia of c".
+/// Returns what is missing or impossible as text, such as "velocity limit of a, b; inertia of c; physically
+/// possible inertia of d (mass -2 kg)".
 std::string named(const MissingData& missing);
 
-/// Writes the new file `path`, and prints what to do with it. The file has a key for every missing value. If
-/// no value is missing, it has proposals for doubtful values, as comments. If none is doubtful either, no
-/// file is written.
+/// Returns those data for which armtune has no proposal, so that the user must give them.
+MissingData to_fill_in(const MissingData& missing);
+
+/// Writes the new file `path`, and prints what to do with it. The file has a key for every value that is
+/// missing or impossible, and proposals for doubtful values, as comments. If there are none of these, no file
+/// is written.
 /// Throws InputError if the file exists.
-void write_sidecar(const RobotFile& file, const MissingData& missing, const std::string& path);
+void write_sidecar(const RobotFile& file, const std::string& path);
 
 }  // namespace armtune::internal::cli

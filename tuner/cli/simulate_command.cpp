@@ -22,7 +22,7 @@
 namespace armtune::internal::cli {
 namespace {
 
-struct Arguments {
+struct SimulateArguments {
   std::vector<std::string> scenarios;
   std::string gains = "published";
   std::string theta;
@@ -32,7 +32,7 @@ struct Arguments {
   RolloutSettings settings = {};
 };
 
-int run(const Arguments& args) {
+int run_simulate(const SimulateArguments& args) {
   RolloutSettings settings = args.settings;
   if (args.yardstick && settings.folder.empty())
     throw InputError("--yardstick needs the recordings in a run folder; give a new folder with --out");
@@ -53,7 +53,7 @@ int run(const Arguments& args) {
 }  // namespace
 
 void add_simulate_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<SimulateArguments>();
   RolloutSettings& settings = args->settings;
   settings.workers = default_workers();
   CLI::App* command = app.add_subcommand("simulate", "Simulate scenarios and report errors and limits");
@@ -62,14 +62,15 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->add_option("--gains", args->gains,
                    "bundled gains or a YAML file; 'published' are the hand-tuned ones of the UR10")
       ->capture_default_str();
-  command->add_option("--theta", args->theta,
-                      "theta.yaml with the initial model parameters of the controller (default: those of the "
-                      "scenarios)");
+  command
+      ->add_option("--theta", args->theta, "theta.yaml with the initial model parameters of the controller")
+      ->default_str("those of the scenarios");
   add_stepper_option(*command, args->stepper);
   add_engine_option(*command, args->engine);
-  command->add_option("--out", settings.folder,
-                      "new folder for errors.csv, rollout_<scenario>.csv, report.html and other results "
-                      "(default: no files)");
+  command
+      ->add_option("--out", settings.folder,
+                   "new folder for errors.csv, rollout_<scenario>.csv, report.html and other results")
+      ->default_str("no files");
   command->add_option("--workers", settings.workers, "number of threads")
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);
@@ -79,7 +80,8 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_option("--rollout-deadline", settings.deadline, kScenarioDeadlineHelp)
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber)
+      ->default_str(kDeadlineDefault);
   add_endurance_option(*command, settings.endurance);
   add_yardstick_option(*command, args->yardstick);
   command->footer([] {
@@ -88,7 +90,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
         "Example:\n  armtune simulate moving_target --gains extended_tuned --out runs/moving_target\n",
         fmt::join(bundled_names("scenarios"), " "), fmt::join(bundled_names("gains"), " "));
   });
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback([args, &exit_code] { exit_code = run_simulate(*args); });
 }
 
 }  // namespace armtune::internal::cli

@@ -13,18 +13,18 @@
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/stiffness_option.hpp"
 #include "tuner/cli/tune_help.hpp"
 #include "tuner/cli/tune_printer.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/cli/yardstick_option.hpp"
 #include "tuner/first_task/steady_start.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/session/study_files.hpp"
 
 namespace armtune::internal::cli {
 namespace {
 
-struct Arguments {
+struct TuneArguments {
   std::string study;          ///< empty: made from the files in `own`
   ControllerStudyInputs own;  ///< files of the user's robot; without a robot: none
   std::string controller;     ///< controller to tune; empty: the study's
@@ -35,19 +35,16 @@ struct Arguments {
   TuneSettings settings = {};
 };
 
-Study load(const Arguments& args) {
+Study load(const TuneArguments& args) {
   Study study = load_steady_study(args.study, args.controller, args.settings.workers);
   if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
-  WarmArguments warm = args.warm;
-  // The run that the warm start came from may have been deleted, but this run keeps a copy of its gains.
-  const RunPlace& place = args.settings.place;
-  if (place.resume && !warm.from.empty()) warm.from = place.folder + "/" + kWarmGains;
-  apply(warm, study);
+  if (args.own.robot.empty()) apply_stiffness(args.own.max_stiffness, study);
+  apply(args.warm, args.settings.place, study);
   return study;
 }
 
-int run(Arguments& args, RankGroup& team) {
+int run_tune(TuneArguments& args, RankGroup& team) {
   if (args.own.robot.empty() && args.study.empty())
     throw InputError(
         "tune: no study is given; give a study file, a bundled study such as ur10_gaze, or your robot's "
@@ -71,7 +68,7 @@ int run(Arguments& args, RankGroup& team) {
 }  // namespace
 
 void add_tune_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<TuneArguments>();
   TuneSettings& settings = args->settings;
   settings.workers = default_workers();
   CLI::App* command =
@@ -86,15 +83,16 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   add_controller_study_options(*command, args->own, false);
   command->get_option("--controllers")->excludes(controller);
   command->get_option("--robot")->excludes(study);
-  add_run_options(*command, "new folder for the results (default: runs/<study>_<time>)", settings.place,
+  add_run_options(*command, "new folder for the results", "runs/<study>_<time>", settings.place,
                   settings.workers, settings.deadline);
   command
       ->add_option("--max-evaluations", args->max_evaluations,
                    "number of evaluations, start gains included; each simulates every scenario with one gain "
-                   "set (default: study's value)")
+                   "set")
+      ->default_str("study's value")
       ->check(CLI::Range(1L, 1000000000L));
-  command
-      ->add_option("--seed", args->seed, "seed of algorithms that use random numbers (default: study's seed)")
+  command->add_option("--seed", args->seed, "seed of algorithms that use random numbers")
+      ->default_str("study's seed")
       ->check(CLI::Range(0L, 1000000000000L));
   command
       ->add_option("--record-every", settings.record_every,
@@ -110,7 +108,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   add_yardstick_option(*command, args->yardstick);
   add_warm_options(*command, args->warm);
   command->footer(tune_help);
-  command->callback([args, &exit_code] { exit_code = run(*args, team()); });
+  command->callback([args, &exit_code] { exit_code = run_tune(*args, team()); });
 }
 
 }  // namespace armtune::internal::cli

@@ -2,47 +2,34 @@
 // with the best motion that the arm's limits allow.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "armtune/error.hpp"
-#include "core/common/path_state.hpp"
-#include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
-#include "tuner/cli/interrupt.hpp"
-#include "tuner/cli/rollout_scenarios.hpp"
+#include "tuner/cli/resume.hpp"
 #include "tuner/cli/say.hpp"
-#include "tuner/cli/yardstick_files.hpp"
-#include "tuner/run/run_file.hpp"
-#include "tuner/session/session_context.hpp"
+#include "tuner/cli/yardstick_printer.hpp"
+#include "tuner/planning/session/yardstick_session.hpp"
 
 namespace armtune::internal::cli {
 namespace {
 
-int run(const YardstickRequest& request) {
-  if (request.folder.empty() || !is_there(request.folder + "/."))
-    throw InputError(InputPlace{request.folder},
-                     "is not a folder; give the run folder of 'tune' or of 'simulate --out'");
-  refuse_used_output(request);
-  const Stopwatch watch;
-  const std::vector<Scenario> scenarios = rollout_scenarios(request.folder, request.scenarios);
-  const std::string gains = run_file(request.folder, "gains.yaml");
-  const RolloutMeasures found = measure_rollouts(
-      request.folder, scenarios,
-      [&gains](const Scenario& s) { return load_gains(gains, joint_names(*s.robot)); }, request.options);
-  if (stop_requested() && found.measures.empty()) {
+int run_yardstick(const YardstickSettings& settings) {
+  YardstickPrinter printer;
+  const YardstickOutcome outcome = YardstickSession(settings, session_context(), printer).run();
+  if (outcome.files.empty())
     fmt::print(stderr, "interrupted; nothing was written\n");
-    return kInterrupted;
-  }
-  say(fmt::format("wrote {}\n", write_yardstick(request, scenarios, found, watch.seconds())));
-  return stop_requested() ? kInterrupted : kDone;
+  else
+    say(fmt::format("wrote {}\n", fmt::join(outcome.files, ", ")));
+  return static_cast<int>(outcome.ending);
 }
 
 }  // namespace
 
 void add_yardstick_command(CLI::App& app, int& exit_code) {
-  auto args = std::make_shared<YardstickRequest>();
+  auto args = std::make_shared<YardstickSettings>();
   CLI::App* command = app.add_subcommand(
       "yardstick", "Compare the target switches, returns and laps of a run with optimal motions");
   command
@@ -90,7 +77,7 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       "position alone. The run's report.html is written again, with the comparison.\n\n"
       "Example:\n  armtune simulate target_switch --out runs/published\n  armtune yardstick "
       "runs/published\n");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback([args, &exit_code] { exit_code = run_yardstick(*args); });
 }
 
 }  // namespace armtune::internal::cli

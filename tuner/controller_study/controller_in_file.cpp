@@ -102,9 +102,9 @@ std::string entry(const std::string& gain, const std::string& joint, const std::
 }  // namespace
 
 ControllerInFile read_controller(const std::string& file, const std::string& node,
-                                 const std::vector<std::string>& joints) {
+                                 const std::vector<std::string>& joints, std::optional<RosDistro> distro) {
   ControllerInFile read;
-  auto found = read_parameter_file(file, node);
+  auto found = read_parameter_file(file, node, distro);
   if (!found) chosen_controller({}, file, node);  // throws
   read.file = found->path;
   read.text = std::move(found->text);

@@ -2,6 +2,7 @@
 // Reads the controller of a study from its parameter file, or computes start gains for a controller that has
 // no such file. Selects which of its gains are tuned.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,13 @@ struct ControllerInFile {
 };
 
 /// Reads the controller called `node`, or the only one of the file if `node` is empty, or the controller that
-/// a map of gains describes (gain_map.hpp). Throws InputError if there is no such controller for these
-/// joints, if all of its gains that can be tuned are 0, or if the file is written in a way that does not
-/// allow its gains to be replaced.
+/// a map of gains describes (gain_map.hpp). distro: see set_distro (parameter_file.hpp). Throws InputError if
+/// the distribution does not fit the file, if there is no such controller for these joints, if all of its
+/// gains that can be tuned are 0, or if the file is written in a way that does not allow its gains to be
+/// replaced.
 ControllerInFile read_controller(const std::string& file, const std::string& node,
-                                 const std::vector<std::string>& joints);
+                                 const std::vector<std::string>& joints,
+                                 std::optional<RosDistro> distro = {});
 
 /// Returns armtune's controller of this kind with start gains for an arm at q (n) [rad, m]. Throws InputError
 /// if it is not one of joint_motion_controllers() (controller_gains.hpp).

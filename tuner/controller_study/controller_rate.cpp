@@ -52,9 +52,10 @@ std::optional<double> controller_rate(const RosController& controller, const std
   if (rate == nullptr) return std::nullopt;
   const double hertz = number(*rate);
   if (hertz >= kSlowest && hertz <= kFastest) return hertz;
-  throw InputError(
-      at_line(file, rate->line, "update_rate"),
-      fmt::format("update_rate is {}; expected {:g} to {:g} Hz", shown(rate->text), kSlowest, kFastest));
+  throw InputError(at_line(file, rate->line, "update_rate"),
+                   InputFault{.problem = fmt::format("update_rate is {}", shown(rate->text)),
+                              .value = rate->text,
+                              .limit = fmt::format("{:g} to {:g} Hz", kSlowest, kFastest)});
 }
 
 }  // namespace armtune::internal

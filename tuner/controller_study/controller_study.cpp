@@ -54,7 +54,7 @@ plant:
 
 constexpr const char* kStudy = R"(description: {description}
 gains: {gains}   # start gains; their objective is 1
-{node}scenarios: [{scenarios}]
+{node}{distro}scenarios: [{scenarios}]
 
 # These gains are tuned from a fifth to five times their start value, unless bounds are given. To give other
 # bounds, write {{name: ..., lower: ..., upper: ...}}. A d of 0 starts without damping.
@@ -63,7 +63,7 @@ parameters:
 objective:
   - {{metric: joint_error/rms, weight: 1}}
   - {{metric: joint_error/max, weight: 1}}
-  - {{metric: effort_rate/rms, weight: 0.2}}
+{tool}  - {{metric: effort_rate/rms, weight: 0.2}}
 
 constraints:
   - {{metric: joint_velocity/max_ratio, at_most: 0.9}}
@@ -157,6 +157,22 @@ std::string scenario_yaml(const StudyMotion& move, const Arm& arm, const Control
                    : ""));
 }
 
+/// Returns the terms of the objective for the motions that the user gave as waypoints of the tool. Empty if
+/// there are none.
+std::string tool_terms(const std::vector<StudyMotion>& moves) {
+  std::vector<std::string> names;
+  for (const StudyMotion& move : moves) {
+    if (move.of_tool) names.push_back(yaml::quoted(move.name));
+  }
+  if (names.empty()) return {};
+  const std::string where =
+      names.size() == moves.size() ? "" : fmt::format(", scenarios: [{}]", fmt::join(names, ", "));
+  std::string text;
+  for (const Metric metric : {Metric::kToolErrorRms, Metric::kToolErrorMax})
+    text += fmt::format("  - {{metric: {}, weight: 1{}}}\n", name(metric), where);
+  return text;
+}
+
 std::string study_yaml(const std::vector<StudyMotion>& moves, const Arm& arm,
                        const ControllerStudyInputs& inputs, const std::string& controller,
                        const std::string& parameters) {
@@ -169,8 +185,30 @@ std::string study_yaml(const std::vector<StudyMotion>& moves, const Arm& arm,
       fmt::arg("description", yaml::quoted(fmt::format("gains of {} for {}", controller, arm.model->name))),
       fmt::arg("gains", own_file ? yaml::quoted(absolute_path(inputs.controllers)) : kGainsFile),
       fmt::arg("node", inputs.node.empty() ? "" : fmt::format("node: {}\n", yaml::quoted(inputs.node))),
+      fmt::arg("distro", inputs.distro.empty() ? "" : fmt::format("distro: {}\n", inputs.distro)),
       fmt::arg("scenarios", fmt::join(scenarios, ", ")), fmt::arg("parameters", parameters),
-      fmt::arg("more", constraints_of(arm)));
+      fmt::arg("tool", tool_terms(moves)), fmt::arg("more", constraints_of(arm)));
+}
+
+/// Returns the distribution of ROS that the user names, if any.
+std::optional<RosDistro> named_distro(const ControllerStudyInputs& inputs) {
+  if (inputs.distro.empty()) return std::nullopt;
+  const auto distro = distro_from_name(inputs.distro);
+  if (!distro) throw InputError(fmt::format("--distro is '{}'; give jazzy, humble or noetic", inputs.distro));
+  return distro;
+}
+
+/// Adds notes on how the controller's file is read: the order of lists under a map of gains, and the
+/// distribution of ROS whose rules are simulated.
+void note_reading(const ControllerInFile& from, std::vector<std::string>& notes) {
+  if (from.controller.layout == GainLayout::kMapped)
+    notes.push_back(fmt::format("lists of numbers in {} are taken in the order of the joints {}", from.file,
+                                fmt::join(from.joints, ", ")));
+  if (from.file.empty() || !is_joint_trajectory_controller(from.gains.controller)) return;
+  const bool open = from.controller.ros2 && !from.controller.distro;
+  notes.push_back(fmt::format("{} is simulated as in {}{}", from.controller.name,
+                              rules_of(jtc_distro(from.gains)).title,
+                              open ? "; give --distro humble if the robot runs that distribution" : ""));
 }
 
 /// Returns the control rate [Hz] that the user gives, or else the one in the parameter file. Throws
@@ -193,7 +231,7 @@ void note_fast_drives(const Gains& gains, const RobotModel& arm, const std::vect
   if (gains.controller != kPositionStreaming && gains.controller != kJointTrajectoryVelocityController)
     return;
   constexpr int kPoints = 50;  // on each motion
-  const double rate = control_rate * steps_in(1.0 / control_rate, kDriveFrequency);
+  const double rate = control_rate * steps_in(1.0 / control_rate, drive_frequency(arm, 0.0));
   double most = 0.0;
   Eigen::Index joint = 0;
   for (const StudyMotion& move : moves) {
@@ -211,8 +249,8 @@ void note_fast_drives(const Gains& gains, const RobotModel& arm, const std::vect
   notes.push_back(fmt::format(
       "the simulated velocity drive of {} is too fast for its rate of {:.4g} Hz: in each period it removes "
       "{:.0f} % of a velocity error, and more than {:.0f} % makes it overshoot. The arm may shake in simulation "
-      "although it does not on the robot. Give drive_velocity_gain of your drives in a robot YAML, or a higher "
-      "rate in the scenarios, of up to 1e5 Hz (plant: {{rate: {:.0f}}})",
+      "although it does not on the robot. Give the velocity_gain of your drives in a robot YAML, or their rate "
+      "if it is higher, up to 1e5 Hz (drives: {{rate: {:.0f}}})",
       arm.joints[static_cast<std::size_t>(joint)].name, rate, 100.0 * most, 100.0 * kFastDrive,
       std::min(1e5, std::ceil(rate * most / 1000.0) * 1000.0)));
 }
@@ -246,7 +284,8 @@ std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudy
   const Arm arm = arm_of(inputs.robot);
   ControllerInFile from;
   from.controller.ros2 = true;
-  if (own_file) from = read_controller(inputs.controllers, inputs.node, joint_names(*arm.model));
+  if (own_file)
+    from = read_controller(inputs.controllers, inputs.node, joint_names(*arm.model), named_distro(inputs));
   const double rate = rate_of(inputs, from);
   const auto read = study_motions(inputs, {"", arm.model, arm.clearance, {}, from.controller.ros2});
   if (!read) return std::nullopt;
@@ -260,14 +299,12 @@ std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudy
   const std::string parameters = tuned_parameters(from, *arm.model, start, most_stiffness, undamped);
 
   ControllerStudyFiles files;
+  note_reading(from, files.notes);
   if (has_stiffness(from) && most_stiffness.empty())
     files.notes.emplace_back(
         "the stiffness is not tuned, only the damping: how stiff the arm may become depends on contacts, which "
         "are not simulated. To tune it, give its largest value with --max-stiffness, in N m/rad");
   note_fast_drives(from.gains, *arm.model, moves, rate, files.notes);
-  if (from.controller.layout == GainLayout::kMapped)
-    files.notes.push_back(fmt::format("lists of numbers in {} are taken in the order of the joints {}",
-                                      from.file, fmt::join(from.joints, ", ")));
   files.study = folder + "/study.yaml";
   std::vector<std::pair<std::string, std::string>> texts = {
       {"study.yaml", study_yaml(moves, arm, inputs, controller, parameters)}};

@@ -62,6 +62,9 @@ struct ControllerStudyInputs {
   /// Without a parameter file: one of armtune's controllers that follow joint motions. Its start gains are
   /// computed from the arm, and `rate` must be given.
   std::string kind = {};
+  /// Distribution of ROS whose rules the joint trajectory controller in the file follows. Empty: Jazzy for a
+  /// ROS 2 file, Noetic for a ROS 1 file.
+  std::string distro = {};
 };
 
 /// The files that were written, with notes for the user.

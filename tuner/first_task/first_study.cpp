@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-constexpr const char* kStudy = R"(gains: gains.yaml     # start gains; their objective is 1
+constexpr const char* kFirstStudy = R"(gains: gains.yaml     # start gains; their objective is 1
 scenarios: [task.yaml]
 
 parameters:           # default bounds around the start gains; others: {{name: ..., lower: ..., upper: ...}}
@@ -66,7 +66,7 @@ std::string first_study_yaml(const Scenario& scenario) {
   const RobotModel& robot = *scenario.robot;
   const bool looks = tracks_orientation(scenario.mask);
   return fmt::format("description: {}\n", yaml::quoted("first gains for " + robot.name)) +
-         fmt::format(kStudy, fmt::arg("more", more_constraints(scenario)),
+         fmt::format(kFirstStudy, fmt::arg("more", more_constraints(scenario)),
                      fmt::arg("orientation_parameters", looks ? "  - {name: slerpDurationErrorGain}\n" : ""),
                      fmt::arg("orientation_terms", looks ? "  - {metric: error/orientation/max, weight: 1}\n"
                                                            "  - {metric: error/orientation/rms, weight: 1}\n"

@@ -31,13 +31,14 @@ struct Pace {
 };
 constexpr std::array kPaces = {Pace{1.0, 6}, Pace{2.0, 2}};
 
-using Progress = std::function<void(const std::string&)>;
+using TellProgress = std::function<void(const std::string&)>;
 
 /// Tries tasks of an arm at several paces. At each pace, it begins with the places where the arm moves well.
-class Search {
+class TaskSearch {
  public:
   /// progress: must outlive the search.
-  Search(std::shared_ptr<const RobotModel> arm, TaskOptions options, int workers, const Progress& progress)
+  TaskSearch(std::shared_ptr<const RobotModel> arm, TaskOptions options, int workers,
+             const TellProgress& progress)
       : arm_(std::move(arm)), options_(std::move(options)), workers_(workers), progress_(progress) {}
 
   std::optional<FirstTask> find() {
@@ -94,7 +95,7 @@ class Search {
   std::shared_ptr<const RobotModel> arm_;
   TaskOptions options_;
   int workers_;
-  const Progress& progress_;
+  const TellProgress& progress_;
   bool has_place_ = false;
   std::string failed_;
   double lightest_ = std::numeric_limits<double>::infinity();  ///< least load of a task
@@ -125,10 +126,10 @@ std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions&
 
 /// Returns the first task that was found. Throws InputError with the reason if there is none.
 FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOptions& options, int workers,
-                    const Progress& progress) {
+                    const TellProgress& progress) {
   std::string last;  // the reason of the last failure
   for (const TaskOptions& easier : ever_easier(*arm, options)) {
-    Search search(arm, easier, workers, progress);
+    TaskSearch search(arm, easier, workers, progress);
     if (auto found = search.find()) return *found;
     if (!search.has_place()) continue;
     last = fmt::format(
@@ -143,7 +144,7 @@ FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOpti
 }  // namespace
 
 FirstTask find_first_task(const std::string& robot, const TaskOptions& options, int workers,
-                          const Progress& progress) {
+                          const TellProgress& progress) {
   const RobotFile file = read_robot_file(robot);
   std::shared_ptr<const RobotModel> arm = load_robot(robot);
   std::string robot_yaml;

@@ -77,13 +77,14 @@ bool is_free(const GainEntry& entry, const ParameterSpace& space) {
 }
 
 /// Keeps the given values of some of the controller's own gains: of those that are never tuned, and of those
-/// that are zero and not a parameter of the study.
+/// that are zero, or a stiffness, and not a parameter of the study.
 void keep_untuned(const Gains& given, const Study& study, Gains& gains) {
   const std::vector<std::string> joints = joint_names(*study.scenarios.front().robot);
   for (const GainEntry& entry : gain_entries(given, joints)) {
     if (!std::holds_alternative<OwnGain>(entry.field->member)) continue;
     const double in_file = value(given, entry);
-    const bool off = in_file == 0.0 && !is_free(entry, study.space);
+    const bool given_alone = in_file == 0.0 || entry.field->search == SearchRange::kBounded;
+    const bool off = given_alone && !is_free(entry, study.space);
     if (off || entry.field->search == SearchRange::kNone) value(gains, entry) = in_file;
   }
 }
@@ -122,7 +123,7 @@ std::optional<Gains> completing(const Study& study, const std::vector<Gains>& se
 /// no gain set completes every scenario, or if the task itself is impossible.
 std::optional<Gains> first_gains(const Study& study, int workers) {
   const Scenario& first = study.scenarios.front();
-  const Gains in_file = load_gains(study.gains, joint_names(*first.robot), {}, study.node);
+  const Gains in_file = load_gains(study.gains, joint_names(*first.robot), {}, study.node, study.distro);
   try {
     return completing(study, first_sets(study, in_file), workers);
   } catch (const InputError&) {

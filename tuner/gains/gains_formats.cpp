@@ -50,9 +50,10 @@ const std::vector<std::string>& gains_format_names() {
 GainsFormat gains_format_from_name(const std::string& name) {
   const auto& names = gains_format_names();
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw InputError(
-        fmt::format("'{}' is not a gains format; give one of: {}", name, fmt::join(names, ", ")));
+  if (found == names.end()) {
+    const std::string limit = fmt::format("one of: {}", fmt::join(names, ", "));
+    throw InputError(fmt::format("'{}' is not a gains format; give {}", name, limit)).with_value(name, limit);
+  }
   return static_cast<GainsFormat>(found - names.begin());
 }
 

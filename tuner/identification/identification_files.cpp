@@ -57,7 +57,7 @@ RobotModel with_theta(const RobotModel& model, const ParameterVector& theta) {
   return found;
 }
 
-std::string robot_yaml(const RobotModel& model, const std::string& urdf) {
+std::string identified_robot_yaml(const RobotModel& model, const std::string& urdf) {
   const auto list = [](const JointVector& v) {
     return fmt::format("[{}]", fmt::join(v.data(), v.data() + v.size(), ", "));
   };

@@ -25,6 +25,6 @@ RobotModel with_theta(const RobotModel& model, const ParameterVector& theta);
 /// Returns the text of robot.yaml, which belongs to the file robot.urdf in the same folder. It names the
 /// base and tool frames, and gives what robot.urdf does not contain: rotor inertia, friction and
 /// acceleration limits.
-std::string robot_yaml(const RobotModel& model, const std::string& urdf);
+std::string identified_robot_yaml(const RobotModel& model, const std::string& urdf);
 
 }  // namespace armtune::internal

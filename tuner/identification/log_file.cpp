@@ -100,12 +100,14 @@ std::size_t LogFile::place_of(const LogColumn& column) const {
         fmt::format("there is no column '{}'{}; the columns, separated by {}, are: {}. Name the right "
                     "columns in a column map (--columns FILE)",
                     column.name, suggestion(column.name, header_), separator_name(separator_),
-                    listed(header_)));
+                    listed(header_)))
+        .with_value({}, fmt::format("a column '{}'", column.name));
   }
   if (std::find(found + 1, header_.end(), column.name) == header_.end())
     return static_cast<std::size_t>(found - header_.begin());
   throw InputError(at_line(path_, header_line_, column.name),
-                   fmt::format("two columns are called '{}'; remove or rename one", column.name));
+                   fmt::format("two columns are called '{}'; remove or rename one", column.name))
+      .with_value(column.name, "one column of each name");
 }
 
 std::vector<std::size_t> LogFile::places_of(const std::vector<LogColumn>& columns) const {
@@ -123,7 +125,8 @@ void LogFile::read_ahead() {
   }
   if (samples_ < 2) {
     throw InputError(InputPlace{path_},
-                     fmt::format("has {} rows of data; a log needs at least two", samples_));
+                     fmt::format("has {} rows of data; a log needs at least two", samples_))
+        .with_value(std::to_string(samples_), "at least 2 rows");
   }
   period_ = (ahead_.back().time - ahead_.front().time) / static_cast<double>(samples_ - 1);
   const std::size_t half = ahead_.size() / 2;
@@ -176,7 +179,8 @@ bool LogFile::read_row() {
     }
     throw InputError(at_line(path_, lines_.number()),
                      fmt::format("has {} cells, but the first line has {}; the log may have been cut off",
-                                 cells_.size(), header_.size()));
+                                 cells_.size(), header_.size()))
+        .with_value(std::to_string(cells_.size()), fmt::format("{} cells", header_.size()));
   }
   return true;
 }
@@ -187,7 +191,8 @@ double LogFile::read_number(std::size_t column, const LogColumn& what) const {
   const bool decimal_comma = separator_ != ',' && text.find(',') != std::string_view::npos;
   throw InputError(at_line(path_, lines_.number(), what.name),
                    fmt::format("column '{}': {} is not a finite number{}", what.name, shown(text),
-                               decimal_comma ? "; write decimal points, not commas" : ""));
+                               decimal_comma ? "; write decimal points, not commas" : ""))
+      .with_value(std::string(text), "a finite number");
 }
 
 double LogFile::read_value(std::size_t column, const LogColumn& what) const {
@@ -198,7 +203,8 @@ double LogFile::read_value(std::size_t column, const LogColumn& what) const {
       fmt::format(
           "column '{}': the value {}, multiplied by its scale {}, exceeds {:.0e} in size; remove the row, "
           "or correct the scale",
-          what.name, value, what.scale, kLargest));
+          what.name, value, what.scale, kLargest))
+      .with_value(std::string(cells_[column]), fmt::format("at most {:.0e} in size", kLargest));
 }
 
 JointVector LogFile::read_values(const std::vector<std::size_t>& places,
@@ -225,7 +231,8 @@ void LogFile::check_time(double time) {
         at_line(path_, lines_.number(), columns_.time.name),
         fmt::format("column '{}': {} is not above the value of the row before; sort the rows by time, "
                     "or remove this row",
-                    columns_.time.name, shown(cells_[time_place_])));
+                    columns_.time.name, shown(cells_[time_place_])))
+        .with_value(std::string(cells_[time_place_]), "above the value of the row before");
   }
   if (samples_ > kStretch) {
     check_step(time - last_time_, lines_.number());

@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kOneDegree = M_PI / 180.0;
 /// Largest share of a joint's torque that the best fitting arm near the robot file may leave unexplained.
 /// Friction models and noise leave less.
 constexpr double kUnexplained = 0.5;
@@ -25,7 +25,7 @@ constexpr double kOtherScale = 0.6;
 constexpr double kOrdinaryCost = 3.0;
 /// Standard deviation of a position [rad, m] above which mistakes in its zero, sign or column can be
 /// detected.
-constexpr double kLeastMotion = 0.1;
+constexpr double kLeastDeviation = 0.1;
 /// A mistake is reported if its correction lowers the cost to less than this share.
 constexpr double kMuchBetter = 0.4;
 
@@ -83,7 +83,7 @@ class Search {
     try_motion({.kind = MistakeKind::kDegrees}, [this](LogInstant& at) {
       for (int j = 0; j < model_.n(); ++j) {
         if (model_.chain.motion[static_cast<std::size_t>(j)] != JointMotion::kRevolute) continue;
-        for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[j] *= kDegree;
+        for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[j] *= kOneDegree;
       }
     });
     for (int j = 0; j < model_.n(); ++j) {
@@ -104,7 +104,7 @@ class Search {
       }
       if (model_.chain.motion[static_cast<std::size_t>(j)] != JointMotion::kRevolute) continue;
       for (const int degrees : {30, -30, 45, -45, 60, -60, 90, -90, 180}) {
-        const double offset = kDegree * degrees;
+        const double offset = kOneDegree * degrees;
         try_motion({.kind = MistakeKind::kPositionOffset, .joint = j, .value = offset},
                    [j, offset](LogInstant& at) { at.q[j] += offset; });
       }
@@ -138,7 +138,7 @@ class Search {
       squares += at.q[joint] * at.q[joint];
     }
     const auto count = static_cast<double>(instants_.size());
-    return squares / count - std::pow(sum / count, 2) > kLeastMotion * kLeastMotion;
+    return squares / count - std::pow(sum / count, 2) > kLeastDeviation * kLeastDeviation;
   }
 
   void try_motion(LogMistake mistake, const std::function<void(LogInstant&)>& correct) {
@@ -234,7 +234,7 @@ std::string to_text(const LogMistake& mistake, const RobotModel& model) {
       return fmt::format(
           "the zero position of {} seems to be wrong: its logged position plus {:.0f} degrees would fit the "
           "robot file; correct the log or the URDF",
-          name(mistake.joint), mistake.value / kDegree);
+          name(mistake.joint), mistake.value / kOneDegree);
     case MistakeKind::kPositionsSwapped:
       return fmt::format(
           "the positions of {} and {} seem to be exchanged; exchange their columns in the column map",

@@ -14,7 +14,7 @@ namespace {
 /// Without this floor, noise-free logs would give weights of 1e12.
 constexpr double kFinest = 1e-5;
 /// Rounding makes an eigenvalue of a correlation matrix negative by no more than this.
-constexpr double kRounding = 1e-6;
+constexpr double kEigenRounding = 1e-6;
 /// Largest number of times that the weight of the prior is doubled. Its standard deviation is then about 1 %.
 constexpr int kDoublings = 13;
 
@@ -30,12 +30,13 @@ Eigen::MatrixXd information(const BaseParameters& base, const Estimate& estimate
   const Eigen::VectorXd unscale = covariance.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unscale.asDiagonal() * covariance *
                                                              unscale.asDiagonal());
-  if (!(eigen.eigenvalues().minCoeff() > -kRounding)) {
+  if (!(eigen.eigenvalues().minCoeff() > -kEigenRounding)) {
     throw InputError(
         "the full set of arm parameters (theta) cannot be computed, because the covariance of the estimate "
         "is not positive definite; log longer");
   }
-  const Eigen::VectorXd inverse = eigen.eigenvalues().cwiseMax(kRounding * kRounding).cwiseInverse();
+  const Eigen::VectorXd inverse =
+      eigen.eigenvalues().cwiseMax(kEigenRounding * kEigenRounding).cwiseInverse();
   return unscale.asDiagonal() * eigen.eigenvectors() * inverse.asDiagonal() *
          eigen.eigenvectors().transpose() * unscale.asDiagonal();
 }

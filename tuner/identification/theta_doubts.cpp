@@ -12,12 +12,12 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kLeastTorque = 0.005;  ///< share of the effort limit
-constexpr double kUnexplained = 0.5;
+constexpr double kTooMuchUnexplained = 0.5;
 constexpr double kWorseThanFile = 1.2;
 constexpr double kNoticeable = 0.15;  ///< share of a torque that theta may leave unexplained in any case
 constexpr double kHeavier = 3.0;
 constexpr double kShareOfArm = 0.5;
-constexpr double kOtherArm = 1.8;
+constexpr double kOtherArmScale = 1.8;
 constexpr double kDead =
     0.05;  ///< share of the torque that the robot file needs; an arm may need a third of an estimated rotor's
 constexpr double kFileFails = 0.5;   ///< check_arm: least share of every torque unexplained by the robot file
@@ -36,7 +36,7 @@ std::string check_joint(const RobotModel& model, int joint, const Unexplained& r
   const JointInfo& info = model.joints[static_cast<std::size_t>(joint)];
   const double torque = std::max(rows.torque[joint], kLeastTorque * info.limits.effort);
   const double left = std::sqrt(std::max(0.0, std::pow(rows.by_theta[joint], 2) - noise * noise));
-  const bool too_much = left > kUnexplained * torque;
+  const bool too_much = left > kTooMuchUnexplained * torque;
   const bool worse = left > kNoticeable * torque && left > kWorseThanFile * rows.by_file[joint];
   if (!too_much && !worse) return {};
   const EffortWords effort = effort_words(model, joint);
@@ -200,7 +200,7 @@ std::vector<std::string> theta_doubts(const RobotModel& model, const Identificat
                     model.joints[static_cast<std::size_t>(i)].link, mass, file_mass,
                     effort_word_of_all(model, &EffortWords::name)));
   }
-  if (arm > kOtherArm * file_arm || kOtherArm * arm < file_arm) {
+  if (arm > kOtherArmScale * file_arm || kOtherArmScale * arm < file_arm) {
     doubts.push_back(
         fmt::format("the moved links would weigh {:.3g} kg, but the robot file gives {:.3g} kg; check the "
                     "units of each {} and --robot",

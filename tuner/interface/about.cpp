@@ -19,8 +19,10 @@ std::vector<std::pair<std::string, std::string>> versions() {
 std::vector<std::string> bundled(const std::string& folder) {
   const std::vector<std::string> folders = {"robots", "scenarios", "gains", "studies", "tasks", "theta"};
   if (std::find(folders.begin(), folders.end(), folder) == folders.end()) {
-    throw InputError(
-        fmt::format("folder: {}; it must be one of {}", internal::shown(folder), fmt::join(folders, ", ")));
+    const std::string names = fmt::format("{}", fmt::join(folders, ", "));
+    throw InputError(InputPlace{.key = "folder"},
+                     fmt::format("{}; it must be one of {}", internal::shown(folder), names))
+        .with_value(folder, fmt::format("one of: {}", names));
   }
   return internal::bundled_names(folder);
 }

@@ -24,11 +24,15 @@ struct Evaluator::Inside {
   void require(const std::vector<double>& point) const {
     const std::size_t count = study.inside().space.free.size();
     if (point.size() != count)
-      throw InputError(fmt::format("point: it has {} coordinates; the study {} has {} parameters",
-                                   point.size(), study.name(), count));
+      throw InputError(InputPlace{.key = "point"},
+                       fmt::format("it has {} coordinates; the study {} has {} parameters", point.size(),
+                                   study.name(), count))
+          .with_value(std::to_string(point.size()), fmt::format("{} coordinates", count));
     for (const double x : point) {
       if (!(x >= 0.0 && x <= 1.0))
-        throw InputError(fmt::format("point: a coordinate is {}; it must lie between 0 and 1", x));
+        throw InputError(InputPlace{.key = "point"},
+                         fmt::format("a coordinate is {}; it must lie between 0 and 1", x))
+            .with_value(fmt::to_string(x), "0 to 1");
     }
   }
 

@@ -68,8 +68,9 @@ void Gains::set(const std::string& name, const std::vector<double>& values) {
   } else if (values.size() == target.size()) {
     std::copy(values.begin(), values.end(), target.begin());
   } else {
-    throw InputError(
-        fmt::format("{}: {} numbers are given, but the gain has {}", name, values.size(), target.size()));
+    throw InputError(InputPlace{.key = name},
+                     fmt::format("{} numbers are given, but the gain has {}", values.size(), target.size()))
+        .with_value(std::to_string(values.size()), fmt::format("{} numbers", target.size()));
   }
 }
 
@@ -83,8 +84,10 @@ void Gains::set_word(const std::string& name, const std::string& word) {
   const std::vector<std::string> words = flag != nullptr ? std::vector<std::string>{"false", "true"}
                                                          : std::vector<std::string>{"start", "current"};
   if (word != words[0] && word != words[1]) {
-    throw InputError(
-        fmt::format("{}: {} is given; it must be {} or {}", name, internal::shown(word), words[0], words[1]));
+    const std::string limit = fmt::format("{} or {}", words[0], words[1]);
+    throw InputError(InputPlace{.key = name},
+                     fmt::format("{} is given; it must be {}", internal::shown(word), limit))
+        .with_value(word, limit);
   }
   if (flag != nullptr) {
     (*inside_).** flag = word == "true";

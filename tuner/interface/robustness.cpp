@@ -26,8 +26,11 @@ internal::Perturbation perturbation_of(const std::map<std::string, double>& widt
     if (found == fields.end()) {
       std::vector<std::string> known;
       for (const auto& field : fields) known.emplace_back(field.name);
-      throw InputError(fmt::format("perturbation: {} cannot be varied; give one or more of: {}",
-                                   internal::shown(given.first), fmt::join(known, ", ")));
+      const std::string names = fmt::format("{}", fmt::join(known, ", "));
+      throw InputError(
+          InputPlace{.key = "perturbation"},
+          fmt::format("{} cannot be varied; give one or more of: {}", internal::shown(given.first), names))
+          .with_value(given.first, fmt::format("one of: {}", names));
     }
     perturbation.*found->width = given.second;
   }
@@ -53,7 +56,9 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
   require_fit(gains, scenarios);
   constexpr std::uint64_t kMost = 1'000'000;
   if (options.samples < 1 || options.samples > kMost) {
-    throw InputError(fmt::format("samples: {}; it must lie between 1 and {}", options.samples, kMost));
+    throw InputError(InputPlace{.key = "samples"},
+                     fmt::format("{}; it must lie between 1 and {}", options.samples, kMost))
+        .with_value(std::to_string(options.samples), fmt::format("1 to {}", kMost));
   }
   const KeptInputs inputs(options.folder, files_of(scenarios), "a scenario that was changed");
   internal::MonteCarloSettings settings;
@@ -80,7 +85,7 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
   for (const internal::MonteCarloSample& sample : outcome.samples) {
     RobustnessSample& given = found.samples.emplace_back();
     given.number = sample.number;
-    given.broken = sample.broken;
+    for (const internal::RolloutFailure& failure : sample.broken) given.broken.push_back(failure.text);
     for (std::size_t s = 0; s < sample.results.size(); ++s) {
       given.rollouts.push_back(RolloutMaker::made({scenarios[s].name(), sample.results[s]}));
     }

@@ -70,7 +70,9 @@ void require_fit(const Gains& gains, const std::vector<Scenario>& scenarios) {
 void require_workers(int workers) {
   constexpr int kMost = 1024;
   if (workers < 1 || workers > kMost) {
-    throw InputError(fmt::format("workers: {}; it must lie between 1 and {}", workers, kMost));
+    throw InputError(InputPlace{.key = "workers"},
+                     fmt::format("{}; it must lie between 1 and {}", workers, kMost))
+        .with_value(std::to_string(workers), fmt::format("1 to {}", kMost));
   }
 }
 
@@ -110,7 +112,9 @@ std::vector<Rollout> simulate(const std::vector<Scenario>& scenarios, const Gain
   require_workers(options.workers);
   require_fit(gains, scenarios);
   if (options.record_every < 0) {
-    throw InputError(fmt::format("record_every: {}; it must not be negative", options.record_every));
+    throw InputError(InputPlace{.key = "record_every"},
+                     fmt::format("{}; it must not be negative", options.record_every))
+        .with_value(std::to_string(options.record_every), "not negative");
   }
   internal::SimulateOptions how;
   how.workers = options.workers;

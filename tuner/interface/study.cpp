@@ -88,7 +88,9 @@ std::uint64_t Study::seed() const {
 }
 
 void Study::set_max_evaluations(long most) {
-  if (most < 1) throw InputError(fmt::format("max_evaluations: {}; it must be at least 1", most));
+  if (most < 1)
+    throw InputError(InputPlace{.key = "max_evaluations"}, fmt::format("{}; it must be at least 1", most))
+        .with_value(std::to_string(most), "at least 1");
   inside_ = changed(*inside_, [&](internal::Study& s) { s.max_evaluations = most; });
 }
 

@@ -32,7 +32,7 @@ std::optional<Minutes> minutes_of(std::string_view kind) {
   return {};
 }
 
-std::string_view kind_of(Minutes minutes) {
+std::string_view row_of(Minutes minutes) {
   return kTimeUp[static_cast<std::size_t>(minutes)].second;
 }
 
@@ -241,7 +241,7 @@ std::optional<std::uint64_t> Journal::time_was_up(Minutes minutes) const {
 }
 
 void Journal::time_is_up(std::uint64_t number, Minutes minutes) {
-  write(fmt::format("{}\t{}", kind_of(minutes), number));
+  write(fmt::format("{}\t{}", row_of(minutes), number));
   time_was_up_[minutes] = number;
 }
 

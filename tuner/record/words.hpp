@@ -4,15 +4,11 @@
 
 namespace armtune::internal::kept_words {
 
-/// Kinds of limits of a planned motion, in limits.csv.
+/// Names of limits of a planned motion, in limits.csv.
 inline constexpr const char* kTorque = "torque";
 inline constexpr const char* kToolPath = "tool path";
 inline constexpr const char* kGaze = "gaze";
 inline constexpr const char* kPathCoordinate = "path coordinate";
-inline constexpr const char* kDistanceTo = "distance to ";           ///< followed by an obstacle's name
-inline constexpr const char* kDistanceToPart = "distance to part ";  ///< followed by a cell part's name
-inline constexpr const char* kDistanceToFloor = "distance to the floor";
-inline constexpr const char* kDistanceBetweenLinks = "distance between links";
 
 /// Outcomes in yardstick.csv: of an event of a rollout, such as a lap of the path, and of the best motion
 /// that was planned for comparison.

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "armtune/error.hpp"
+#include "tuner/record/declaration.hpp"
+#include "tuner/record/limit_kind.hpp"
 #include "tuner/record/words.hpp"
 #include "tuner/report/run_builder.hpp"
 
@@ -36,24 +38,32 @@ bool slides(const Arm* arm, const std::string& joint) {
   return found != arm->joints.end() && found->prismatic;
 }
 
+/// Returns the kind of limit that a word in limits.csv names.
+LimitKind kind_of_limit(const std::string& word) {
+  const std::vector<std::string> words = record::names_of<LimitKind>();
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end())
+    throw InputError("limits.csv: '" + word + "' is not a kind of limit; plan the motion again");
+  return static_cast<LimitKind>(found - words.begin());
+}
+
 /// Sets the plot and the column in which a limit is drawn.
-void place(PlanLimit& limit, const Arm* arm) {
-  if (limit.limit == kept_words::kToolPath) {
+void place(PlanLimit& limit, LimitKind kind, const Arm* arm) {
+  if (kind == LimitKind::kToolPath) {
     limit.group = "position_error";
     limit.column = "error/position/" + limit.part;
-  } else if (limit.limit == kept_words::kGaze) {
+  } else if (kind == LimitKind::kGaze) {
     limit.group = "gaze";
     limit.column = "gaze/angle";
-  } else if (limit.limit.starts_with(kept_words::kDistanceTo) ||
-             limit.limit == kept_words::kDistanceBetweenLinks) {
+  } else if (is_distance(kind)) {
     limit.group = "clearance";
-    limit.column = limit.limit == kept_words::kDistanceBetweenLinks       ? "clearance/self"
-                   : limit.limit == kept_words::kDistanceToFloor          ? "clearance/floor"
-                   : limit.limit.starts_with(kept_words::kDistanceToPart) ? "clearance/cell"
-                                                                          : "obstacle/distance";
+    limit.column = kind == LimitKind::kLinks      ? "clearance/self"
+                   : kind == LimitKind::kFloor    ? "clearance/floor"
+                   : kind == LimitKind::kCellPart ? "clearance/cell"
+                                                  : "obstacle/distance";
   } else {
-    limit.group = joint_group(slides(arm, limit.part), limit.limit);
-    limit.column = "joint/" + limit.part + "/" + limit.limit;
+    limit.group = joint_group(slides(arm, limit.part), name(kind));
+    limit.column = "joint/" + limit.part + "/" + name(kind);
   }
 }
 
@@ -125,7 +135,7 @@ std::vector<PlanLimit> plan_limits_of(const CsvTable& limits, const Arm* arm, do
     limit.strength = number("strength");
     limit.active_lower = stretches(text("active_lower"), start);
     limit.active_upper = stretches(text("active_upper"), start);
-    place(limit, arm);
+    place(limit, kind_of_limit(text("kind")), arm);
     found.push_back(std::move(limit));
   }
   return found;

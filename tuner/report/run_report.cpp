@@ -213,10 +213,9 @@ class Assembly {
     for (std::string word; words >> word;) criteria.push_back(word);
     if (criteria.empty()) return;  // killed before run.yaml was written
     const std::string text = facts_.entry("hypervolume");
-    const std::string last = data_.sets.empty() ? std::string() : data_.sets.back();
-    constexpr std::string_view kPoint = "point ";
+    const auto shown = scene_.sets.empty() ? std::nullopt : scene_.sets.back().point;
     data_.front = front_of(CsvTable::read(run_file(folder_, "pareto.csv")), criteria,
-                           last.starts_with(kPoint) ? last.substr(kPoint.size()) : std::string(),
+                           shown ? std::to_string(*shown) : std::string(),
                            text.empty() ? std::nullopt : std::optional(std::strtod(text.c_str(), nullptr)));
   }
 

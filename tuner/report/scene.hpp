@@ -18,8 +18,12 @@ struct SceneSet {
   std::string name;
   std::string folder = ".";           ///< folder of gains.yaml and rollout_<scenario>.csv
   std::string errors = "errors.csv";  ///< file of the metrics; empty if there is none
+  std::optional<long> point = {};     ///< number in pareto.csv, if the set is a point of a front
 
-  static void declare(auto& f, auto& set) { f("name", set.name)("folder", set.folder)("errors", set.errors); }
+  static void declare(auto& f, auto& set) {
+    f("name", set.name)("folder", set.folder)("errors", set.errors);
+    f("point", set.point, "", record::Presence::kIfAny);
+  }
 };
 
 struct SceneObstacle {

@@ -109,7 +109,9 @@ struct FrontPoint {
   std::string role;
 
   static void declare(auto& f, auto& point) {
-    f.type("FrontPoint")("values", point.values)("label", point.label)("feasible", point.feasible);
+    f.type("FrontPoint")("values", point.values);
+    f("label", point.label, "The label of the start says that it is the start; other labels say no role.");
+    f("feasible", point.feasible);
     f("role", point.role, {"start", "chosen", "shown", "point"},
       "chosen: the result of a search; shown: the point of a front that replay and tables show.");
   }

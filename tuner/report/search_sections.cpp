@@ -120,14 +120,17 @@ std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& e
     const double objective = evaluations.objective[r];
     if (!std::isfinite(worst) || !std::isfinite(objective)) continue;
     const auto number = static_cast<long>(r);
-    front.points.push_back(
-        {{objective, worst},
-         fmt::format("evaluation {}, {}{}", r, evaluations.phases[evaluations.of[r]],
-                     !evaluations.native.empty() && evaluations.native[r] ? ", in the native engine" : ""),
-         evaluations.feasible[r],
-         number == evaluations.chosen  ? "chosen"
-         : number == evaluations.start ? "start"
-                                       : "point"});
+    const std::string role = number == evaluations.chosen  ? "chosen"
+                             : number == evaluations.start ? "start"
+                                                           : "point";
+    const bool native = !evaluations.native.empty() && evaluations.native[r];
+    front.points.push_back({{objective, worst},
+                            role == "start"
+                                ? role
+                                : fmt::format("evaluation {}, {}{}", r, evaluations.phases[evaluations.of[r]],
+                                              native ? ", in the native engine" : ""),
+                            evaluations.feasible[r],
+                            role});
   }
   if (front.points.size() > kMost) front.points = essential(front.points);
   if (front.points.empty()) return std::nullopt;

@@ -21,11 +21,8 @@ struct VerdictFacts {
 
   /// Returns an entry of run.yaml, or an empty text if there is none.
   std::string entry(const std::string& key) const { return run.contains(key) ? run.at(key) : ""; }
-  /// True if the key `interrupted` of run.yaml is true. Older runs have the key `ended` instead.
-  bool interrupted() const {
-    return run.contains("interrupted") ? entry("interrupted") == "true"
-                                       : entry("ended").starts_with("interrupted");
-  }
+  /// True if the key `interrupted` of run.yaml is true.
+  bool interrupted() const { return entry("interrupted") == "true"; }
 };
 
 /// Returns the verdict. data: the page's data, complete except for the verdict.

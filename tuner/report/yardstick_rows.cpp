@@ -18,14 +18,14 @@ struct KindWords {
   const char* at_worst;  ///< words for the worst event
 };
 
-constexpr KindWords kKinds[] = {
+constexpr KindWords kKindWords[] = {
     {"switch", "reacquired in ", "not reacquired", "a target switch takes up to"},
     {"return", "back on the path in ", "not back on the path", "a return to the path takes up to"},
     {"lap", "a gaze error of ", "gaze error not measured", "the gaze error of a lap is up to"},
 };
 
 const KindWords& words_of(const std::string& event) {
-  for (const KindWords& kind : kKinds) {
+  for (const KindWords& kind : kKindWords) {
     if (event == kind.event) return kind;
   }
   static constexpr KindWords kOther = {"", "", "not reached", ""};
@@ -106,7 +106,7 @@ std::vector<YardstickRow> yardstick_of(const std::vector<std::optional<CsvTable>
 
 std::string yardstick_sentence(const std::vector<YardstickRow>& rows, std::size_t set) {
   std::vector<std::string> told;
-  for (const KindWords& kind : kKinds) {
+  for (const KindWords& kind : kKindWords) {
     const YardstickRow* worst = worst_of(rows, set, kind.event);
     if (worst == nullptr) continue;
     told.push_back(fmt::format("{} {:.3g} times the best ({} instead of {}, in {} at {:.4g} s)",

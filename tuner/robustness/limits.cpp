@@ -62,16 +62,16 @@ std::string saturation_text() {
   return fmt::format("torque saturated in over {} % of the periods", 100.0 * kSaturatedShare);
 }
 
-std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
-                         const Scenario& scenario) {
-  if (result.status != RolloutStatus::kCompleted) return name(result.status);
+RolloutFailure broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
+                            const Scenario& scenario) {
+  if (result.status != RolloutStatus::kCompleted) return {name(result.status), {}};
   for (const MetricLimit& limit : limits) {
     const double value = result.metrics[limit.metric];
     const bool kept = limit.upper ? value <= limit.value : value >= limit.value;
-    if (!kept && applies(limit.metric, scenario)) return to_string(limit);
+    if (!kept && applies(limit.metric, scenario)) return {to_string(limit), limit.metric};
   }
   const double saturated = result.metrics[Metric::kJointEffortSaturatedPeriods];
-  if (saturated > static_cast<double>(saturated_periods_allowed(scenario))) return saturation_text();
+  if (saturated > static_cast<double>(saturated_periods_allowed(scenario))) return {saturation_text(), {}};
   return {};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Limits of metrics. Gains must keep them on random arms, and in the rollouts that find stability margins.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,11 +40,17 @@ std::vector<MetricLimit> parse_limits(const std::vector<std::string>& texts);
 /// Returns a text such as "joint_velocity/max_ratio <= 0.9".
 std::string to_string(const MetricLimit& limit);
 
-/// Returns why a rollout fails, as a text. If it did not complete, the text is its status. Otherwise the text
-/// is the first limit that it breaks, or saturation_text() if torques saturate in too many periods. The text
-/// is empty if the rollout does not fail. A metric without a value breaks its limit if the metric applies to
-/// the scenario. If it does not apply, its limit is ignored.
-std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
-                         const Scenario& scenario);
+/// The reason why a rollout fails.
+struct RolloutFailure {
+  std::string text;              ///< empty: the rollout does not fail
+  std::optional<Metric> metric;  ///< the metric whose limit is broken; empty for other reasons
+};
+
+/// Returns why a rollout fails. If it did not complete, the text is its status. Otherwise the text is the
+/// first limit that it breaks, or saturation_text() if torques saturate in too many periods. A metric without
+/// a value breaks its limit if the metric applies to the scenario. If it does not apply, its limit is
+/// ignored.
+RolloutFailure broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
+                            const Scenario& scenario);
 
 }  // namespace armtune::internal

@@ -95,7 +95,7 @@ std::optional<LoopFailure> failure(Engine engine, const Scenario& scenario, cons
     return LoopFailure{fmt::format("{} at {:.3f} s", name(result.status), result.end_time), "",
                        result.end_time};
   }
-  const std::string broken = broken_limit(result, options.limits, scenario);
+  const std::string broken = broken_limit(result, options.limits, scenario).text;
   return LoopFailure{broken.empty() ? broken : "breaks " + broken, "", NAN};
 }
 

@@ -80,7 +80,7 @@ class Drawing {
     const std::size_t s = job % scenarios_.size();
     samples_[k].results[s] = std::move(result);
     judge(k, s);
-    if (engine != Engine::kSimbody && !samples_[k].broken[s].empty()) return false;
+    if (engine != Engine::kSimbody && !samples_[k].broken[s].text.empty()) return false;
     if (++done_[k] == scenarios_.size() && options_.whole) options_.whole(samples_[k]);
     report();
     if (options_.progress) options_.progress(++rollouts_, jobs());
@@ -109,7 +109,7 @@ class Drawing {
 }  // namespace
 
 bool MonteCarloSample::keeps_all() const {
-  return std::all_of(broken.begin(), broken.end(), [](const std::string& b) { return b.empty(); });
+  return std::all_of(broken.begin(), broken.end(), [](const RolloutFailure& f) { return f.text.empty(); });
 }
 
 RolloutPlan monte_carlo_plan(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options) {
@@ -145,7 +145,7 @@ std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarlo
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
     const RolloutResult& result = sample.results[s];
     text += fmt::format("{},{},{},{},{}", sample.number, cell(scenarios[s].name), name(result.status),
-                        cell(sample.broken[s]), cell(result.metrics.max_ratio_joint));
+                        cell(sample.broken[s].text), cell(result.metrics.max_ratio_joint));
     for (const Metric metric : all_metrics()) text += "," + cell(result.metrics[metric]);
     const Scenario drawn = perturbed(scenarios[s], options.perturbation, options.seed, sample.number);
     for (const double value : drawn_values(scenarios, scenarios[s], drawn)) text += "," + cell(value);

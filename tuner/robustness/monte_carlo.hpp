@@ -16,7 +16,7 @@ namespace armtune::internal {
 struct MonteCarloSample {
   std::uint64_t number = 0;
   std::vector<RolloutResult> results;  ///< one per scenario
-  std::vector<std::string> broken;     ///< result of broken_limit() (limits.hpp), one per scenario
+  std::vector<RolloutFailure> broken;  ///< result of broken_limit() (limits.hpp), one per scenario
 
   /// True if the arm keeps every limit in every scenario.
   bool keeps_all() const;

@@ -165,7 +165,7 @@ std::string add_columns(const std::string& folder, const FileColumns& columns) {
     if (!line.starts_with(columns.file + ",")) text += line + "\n";
   }
   write_text_file(*path, text + all.substr(header_end));
-  return ", " + *path;
+  return *path;
 }
 
 std::string measured_with() {

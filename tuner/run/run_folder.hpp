@@ -43,8 +43,8 @@ class FolderLock {
 std::string default_run_folder(const std::string& name);
 
 /// Writes the descriptions of a file's columns into columns.csv of the run folder, and replaces earlier
-/// descriptions of that file. Returns ", FOLDER/columns.csv", for a list of written files. If the folder has
-/// no columns.csv, nothing is written, and the returned text is empty.
+/// descriptions of that file. Returns the path of columns.csv. If the folder has no columns.csv, nothing is
+/// written, and the returned text is empty.
 std::string add_columns(const std::string& folder, const FileColumns& columns);
 
 /// The contents of run.yaml.

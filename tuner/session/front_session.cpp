@@ -82,9 +82,13 @@ std::optional<FrontOutcome> FrontSession::run(RankGroup& ranks) {
 ParetoOptions FrontSession::options() const {
   constexpr std::size_t kLeast = 2, kMost = 3;
   if (settings_.criteria.size() < kLeast || settings_.criteria.size() > kMost) {
-    throw InputError(fmt::format("criteria: {} are given; give two or three", settings_.criteria.size()));
+    throw InputError(InputPlace{.key = "criteria"},
+                     fmt::format("{} are given; give two or three", settings_.criteria.size()))
+        .with_value(std::to_string(settings_.criteria.size()), "two or three");
   }
-  if (settings_.levels == 1) throw InputError("levels: 1 is given; give at least 2");
+  if (settings_.levels == 1)
+    throw InputError(InputPlace{.key = "levels"}, "1 is given; give at least 2")
+        .with_value("1", "at least 2");
   ParetoOptions options;
   for (const std::string& name : settings_.criteria) {
     options.criteria.push_back(criterion_from_name(name));
@@ -186,6 +190,7 @@ report::Scene FrontSession::scene(bool recorded) const {
     if (!outcome_.result.front.empty()) {
       sets.push_back(record_set("point 1", folder(), "shown", study_.scenarios,
                                 outcome_.result.front.front().e.gains, how));
+      sets.back().point = 1;
     }
   }
   return report::scene_of(study_.scenarios, std::move(sets), study_.space.start.obstacleInfluenceRadius);

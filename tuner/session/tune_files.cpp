@@ -126,7 +126,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder) {
   const std::vector<std::string> joints = joint_names(*study.scenarios.front().robot);
   if (study.gains.empty()) return {};
-  const auto file = read_parameter_file(study.gains, study.node);
+  const auto file = read_parameter_file(study.gains, study.node, study.distro);
   if (!file || controller_gains(file->controller, file->path, joints).controller != gains.controller)
     return {};
   std::string name = name_beside_results(file->path);

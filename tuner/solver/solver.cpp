@@ -73,7 +73,7 @@ Optimizer create(nlopt_algorithm code, std::size_t n) {
 /// The oracle is called again for a point that NLopt requests more often than this in a row, more often than
 /// its objective and constraints need. Otherwise CRS2 might never end: once its population has shrunk to one
 /// point, it requests nothing else.
-constexpr long kMostRepeats = 8;
+constexpr long kMostSameQuestions = 8;
 
 /// The data that the callbacks share. NLopt requests objective and constraints of a point in separate calls.
 /// Therefore the answer at the last point is kept.
@@ -100,7 +100,7 @@ struct Search {
     if (stopped) return answer;
     const bool same = known && std::equal(x.begin(), x.end(), point);
     repeats = same ? repeats + 1 : 0;
-    if (same && repeats <= kMostRepeats && (derivatives || !with_derivatives)) return answer;
+    if (same && repeats <= kMostSameQuestions && (derivatives || !with_derivatives)) return answer;
     x.assign(point, point + n);
     try {
       stopped = !(*oracle)(x, with_derivatives, answer);

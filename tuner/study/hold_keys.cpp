@@ -16,7 +16,7 @@ namespace {
 double read_threshold(yaml::MapReader& map, const ThresholdField& field, double fallback) {
   const double value = map.number_in(field.name, fallback, field.least, field.most);
   if (field.whole && value != std::floor(value))
-    map.required(field.name).fail(fmt::format("{} must be a whole number", value));
+    map.required(field.name).fail(fmt::format("{} must be a whole number", value), "a whole number");
   return value;
 }
 
@@ -40,21 +40,22 @@ SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scen
   const long samples = map.integer("samples", static_cast<long>(set.samples));
   if (samples < 1 || samples > kMostSamples)
     map.required("samples").fail(
-        fmt::format("{} samples; the number must lie in 1 .. {}", samples, kMostSamples));
+        fmt::format("{} samples; the number must lie in 1 .. {}", samples, kMostSamples),
+        fmt::format("1 .. {}", kMostSamples));
   set.samples = static_cast<std::size_t>(samples);
   const long seed = map.integer("seed", static_cast<long>(set.seed));
-  if (seed < 0) map.required("seed").fail("must not be negative");
+  if (seed < 0) map.required("seed").fail("must not be negative", "not negative");
   set.seed = static_cast<std::uint64_t>(seed);
   const auto names = risk_measure_names();
   const std::string measure = map.string("measure", names[static_cast<std::size_t>(set.measure)]);
   const auto found = std::find(names.begin(), names.end(), measure);
   if (found == names.end()) {
-    map.required("measure").fail(fmt::format("'{}' is not one of: {}", measure, fmt::join(names, ", ")));
+    map.required("measure").fail_choice({names.begin(), names.end()});
   }
   set.measure = static_cast<RiskMeasure>(found - names.begin());
   set.level = map.number_in("level", set.level, 0.0, 1.0);
   if (set.level <= 0.0 || set.level >= 1.0)
-    map.required("level").fail("must lie between 0 and 1, both excluded");
+    map.required("level").fail("must lie between 0 and 1, both excluded", "between 0 and 1, both excluded");
   if (const yaml::Node* widths = map.optional("uncertainty")) {
     yaml::MapReader uncertainty(*widths);
     for (const PerturbationField& f : perturbation_fields()) {
@@ -65,7 +66,7 @@ SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scen
     try {
       validate(set.perturbation, "uncertainty");
     } catch (const InputError& e) {
-      widths->fail(e.what());
+      widths->fail(e.what(), e.limit());
     }
   }
   map.finish();

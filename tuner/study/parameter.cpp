@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
@@ -92,9 +93,11 @@ void validate(const ParameterSpace& space, const std::string& where) {
         "no parameter to tune; list some under 'parameters'. If the study has no such list, no gain of " +
             space.start.controller + " acts in its scenarios: take another controller");
   for (const Parameter& p : space.free) {
-    const auto fail = [&](const std::string& what) {
+    const auto fail = [&](const std::string& what, std::optional<double> given = {},
+                          const std::string& limit = {}) {
       throw InputError(InputPlace{where, 0, p.entry.name},
-                       fmt::format("parameter {}: {}", p.entry.name, what));
+                       fmt::format("parameter {}: {}", p.entry.name, what))
+          .with_value(given ? fmt::to_string(*given) : "", limit);
     };
     if (p.lower == 0.0 && p.upper == 0.0) {
       fail(
@@ -102,26 +105,33 @@ void validate(const ParameterSpace& space, const std::string& where) {
           "'upper', or remove the parameter");
     }
     if (p.lower == p.upper) {
-      fail(fmt::format("both bounds are {0}; give a range, or fix the value with 'fixed: {0}'", p.lower));
+      fail(fmt::format("both bounds are {0}; give a range, or fix the value with 'fixed: {0}'", p.lower),
+           p.lower, fmt::format("below the upper bound {}", p.upper));
     }
     if (!std::isfinite(p.lower) || !std::isfinite(p.upper) || p.lower > p.upper) {
-      fail(fmt::format("lower bound {} is not below upper bound {}", p.lower, p.upper));
+      fail(fmt::format("lower bound {} is not below upper bound {}", p.lower, p.upper),
+           std::isfinite(p.upper) ? p.lower : p.upper,
+           std::isfinite(p.upper) ? fmt::format("below the upper bound {}", p.upper) : "finite");
     }
-    if (p.lower < 0.0) fail(fmt::format("lower bound {} is negative; a gain must not be negative", p.lower));
+    if (p.lower < 0.0)
+      fail(fmt::format("lower bound {} is negative; a gain must not be negative", p.lower), p.lower,
+           "not negative");
     if (p.scale == Scale::kLog && p.lower <= 0.0) {
       fail(fmt::format("lower bound {} does not fit a log scale; give a bound above zero, or 'scale: linear'",
-                       p.lower));
+                       p.lower),
+           p.lower, "above zero");
     }
     if (p.scale == Scale::kLog && !(p.upper / p.lower <= kWidestSpan)) {
-      fail(
-          fmt::format("its bounds {} .. {} span more than a factor of {:.0e}, too much for a log scale; "
-                      "raise the lower bound, or give 'scale: linear'",
-                      p.lower, p.upper, kWidestSpan));
+      fail(fmt::format("its bounds {} .. {} span more than a factor of {:.0e}, too much for a log scale; "
+                       "raise the lower bound, or give 'scale: linear'",
+                       p.lower, p.upper, kWidestSpan),
+           p.lower, fmt::format("a factor of at most {:.0e} below the upper bound {}", kWidestSpan, p.upper));
     }
     if (!(p.start >= p.lower && p.start <= p.upper)) {
       fail(fmt::format(
-          "start {} lies outside its bounds {} .. {}; give a 'start' between them, or other bounds", p.start,
-          p.lower, p.upper));
+               "start {} lies outside its bounds {} .. {}; give a 'start' between them, or other bounds",
+               p.start, p.lower, p.upper),
+           p.start, fmt::format("{} to {}", p.lower, p.upper));
     }
   }
 }

@@ -57,6 +57,11 @@ bool moves_tool(const GainEntry& entry) {
   return turns_tool(entry) || component_names(*entry.field, {}).size() == 6;
 }
 
+/// Returns " [UNIT]"; empty for a gain without a unit.
+std::string unit_of(const GainField& field) {
+  return *field.unit != '\0' ? fmt::format(" [{}]", field.unit) : std::string();
+}
+
 template <typename List>
 auto find_by_name(List& list, const std::string& name) {
   return std::find_if(list.begin(), list.end(), [&name](const auto& p) { return p.entry.name == name; });
@@ -74,7 +79,7 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
   const std::string scale = map.string("scale", "");
   const double factor = map.number_in("factor", 1.0, 0.0, std::numeric_limits<double>::infinity());
   if (!scale.empty() && scale != "log" && scale != "linear")
-    map.required("scale").fail("'" + scale + "' is not one of: log, linear");
+    map.required("scale").fail_choice({"log", "linear"});
   map.finish();
   if (fixed != nullptr && link != nullptr) node.fail("give at most one of: fixed, link");
   for (const GainEntry& entry : entries) {
@@ -94,6 +99,11 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
       }
       space.links.push_back({entry, static_cast<std::size_t>(target - space.free.begin()), factor});
     } else {
+      if (entry.field->search == SearchRange::kBounded && upper == nullptr)
+        node.fail(
+            fmt::format("{} has no 'upper'; give its largest value{}, because it depends on contacts, which "
+                        "are not simulated",
+                        entry.name, unit_of(*entry.field)));
       if (start != nullptr) value(space.start, entry) = start->as_number();
       Parameter p = default_parameter(entry, space.start);
       if (!scale.empty()) p.scale = scale == "log" ? Scale::kLog : Scale::kLinear;
@@ -116,8 +126,9 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std:
       // A gain that is zero is switched off. Factors on zero would give no range.
       const bool off = entry.field->search == SearchRange::kFactor && value(start, entry) == 0.0;
       const bool idle = (!task && moves_tool(entry)) || (!orientation && turns_tool(entry));
-      if (entry.field->search != SearchRange::kNone && !off && !idle)
-        space.free.push_back(default_parameter(entry, start));
+      const bool asks =
+          entry.field->search == SearchRange::kNone || entry.field->search == SearchRange::kBounded;
+      if (!asks && !off && !idle) space.free.push_back(default_parameter(entry, start));
     }
     return space;
   }
@@ -141,7 +152,8 @@ std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<Gain
     }
     axis.factors = map.required("factors").as_numbers();
     for (const double f : axis.factors) {
-      if (!(f > 0.0)) map.required("factors").fail(fmt::format("factor {} is not above zero", f));
+      if (!(f > 0.0))
+        map.required("factors").fail(fmt::format("factor {} is not above zero", f), "above zero");
     }
     points *= static_cast<double>(axis.factors.size());
     map.finish();

@@ -22,7 +22,7 @@ auto read_name(yaml::MapReader& map, const char* key, const std::string& otherwi
     return from_name(map.string(key, otherwise));
   } catch (const InputError& e) {
     if (!map.has(key)) throw;
-    map.required(key).fail(e.what());
+    map.required(key).fail(e.what(), e.limit());
   }
 }
 
@@ -33,7 +33,7 @@ std::string read_algorithm(yaml::MapReader& map, const char* key, const std::str
   try {
     algorithm_for(algorithm, parameters);
   } catch (const InputError& e) {
-    map.required(key).fail(e.what());
+    map.required(key).fail(e.what(), e.limit());
   }
   return algorithm;
 }
@@ -42,7 +42,7 @@ ConstraintHandling read_constraint_handling(const yaml::Node& node) {
   const std::string text = node.as_string();
   if (text == "auto") return ConstraintHandling::kAuto;
   if (text == "lagrangian") return ConstraintHandling::kLagrangian;
-  if (text != "penalty") node.fail("'" + text + "' is not one of: auto, lagrangian, penalty");
+  if (text != "penalty") node.fail_choice({"auto", "lagrangian", "penalty"});
   return ConstraintHandling::kPenalty;
 }
 
@@ -63,7 +63,7 @@ void read_engine(yaml::MapReader& map, Study& study) {
 void read_differences(yaml::MapReader& map, SolverOptions& solver) {
   const std::string differences = map.string("differences", "forward");
   if (differences != "forward" && differences != "central") {
-    map.required("differences").fail("'" + differences + "' is not one of: forward, central");
+    map.required("differences").fail_choice({"forward", "central"});
   }
   solver.differences = differences == "forward" ? Differences::kForward : Differences::kCentral;
   solver.difference_step = map.number_in("difference_step", solver.difference_step, 1e-6, 0.5);
@@ -87,14 +87,16 @@ void read_search(const yaml::Node& node, Study& study) {
   study.solver.penalty = map.number_in("penalty", study.solver.penalty, 1e-6, 1e6);
   study.max_evaluations = map.integer("max_evaluations", study.max_evaluations);
   if (study.max_evaluations < 1)
-    map.required("max_evaluations").fail(fmt::format("is {}; it must be at least 1", study.max_evaluations));
+    map.required("max_evaluations")
+        .fail(fmt::format("is {}; it must be at least 1", study.max_evaluations), "at least 1");
   study.max_minutes = map.number_in("max_minutes", 0.0, 0.0, kInfinity);
   study.solver.initial_step = map.number_in("initial_step", study.solver.initial_step, 1e-6, 0.5);
   study.solver.x_tolerance = map.number_in("x_tolerance", study.solver.x_tolerance, 0.0, 1.0);
   study.solver.objective_tolerance =
       map.number_in("objective_tolerance", study.solver.objective_tolerance, 0.0, 1.0);
   const long seed = map.integer("seed", 1);
-  if (seed < 0) map.required("seed").fail(fmt::format("is {}; it must not be negative", seed));
+  if (seed < 0)
+    map.required("seed").fail(fmt::format("is {}; it must not be negative", seed), "not negative");
   study.solver.seed = static_cast<std::uint64_t>(seed);
   read_engine(map, study);
   read_differences(map, study.solver);
@@ -126,7 +128,8 @@ void read_warm_start(const yaml::Node& node, Study& study) {
     if (warm.parameters.empty()) names->fail("the list is empty; leave the key out to use all parameters");
   }
   warm.box = map.number_in("box", warm.box, 0.0, 1.0);
-  if (warm.box <= 0.0) map.required("box").fail("must be above 0; it is a share of each parameter's range");
+  if (warm.box <= 0.0)
+    map.required("box").fail("must be above 0; it is a share of each parameter's range", "above 0");
   if (map.has("step")) warm.step = map.number_in("step", 0.0, 1e-6, 0.5);
   map.finish();
   try {

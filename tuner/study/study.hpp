@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/control/laws/ros_distro.hpp"
 #include "tuner/samples/sample_set.hpp"
 #include "tuner/solver/solver.hpp"
 #include "tuner/study/objective.hpp"
@@ -28,6 +29,7 @@ struct Study {
   std::string description;
   std::string gains;  ///< path of the file with the start gains; empty: none
   std::string node;   ///< name of the controller in that file, if it contains several; otherwise empty
+  std::optional<RosDistro> distro;  ///< whose rules the controller in that file follows, if given
   std::vector<Scenario> scenarios;
   ParameterSpace space;
   std::optional<Gains> given;  ///< the study's own start gains, if armtune replaced them

@@ -206,9 +206,22 @@ std::vector<Scenario> scenarios_of(yaml::MapReader& map, const std::string& fold
   return scenarios;
 }
 
+/// Returns the distribution of ROS that the key `distro` names, or nothing without this key.
+std::optional<RosDistro> read_distro(yaml::MapReader& map) {
+  const yaml::Node* named = map.optional("distro");
+  if (named == nullptr) return std::nullopt;
+  const auto distro = distro_from_name(named->as_string());
+  if (!distro)
+    named->fail(
+        fmt::format("'{}' is not a distribution of ROS that armtune simulates; give jazzy, humble or noetic",
+                    named->as_string()));
+  return distro;
+}
+
 /// Returns the start gains of `parts` or, if it has none, those that the file names.
 Gains gains_of(yaml::MapReader& map, const std::string& folder, const StudyParts& parts, Study& study) {
   const auto joints = joint_names(*study.scenarios.front().robot);
+  study.distro = read_distro(map);
   if (parts.start) {
     const yaml::Node* named = map.optional("gains");
     study.node = map.string("node", "");
@@ -221,7 +234,7 @@ Gains gains_of(yaml::MapReader& map, const std::string& folder, const StudyParts
   }
   study.gains = find_data_file("gains", map.required("gains").as_string(), folder);
   study.node = map.string("node", "");
-  return load_gains(study.gains, joints, {}, study.node);
+  return load_gains(study.gains, joints, {}, study.node, study.distro);
 }
 
 /// Reads everything of a study except its name. source: path of the file; empty for a text.

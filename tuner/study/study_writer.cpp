@@ -42,29 +42,32 @@ std::string auto_text(const Constraint& c) {
                      *default_hopeless(c.metric, c.upper, *c.limit));
 }
 
-}  // namespace
-
-std::string study_yaml(const Study& study, const std::string& gains_file, const std::string& warm_file) {
-  std::string text =
-      fmt::format("description: {}\ngains: {}\nscenarios:\n", yaml::quoted(study.description), gains_file);
-  for (const Scenario& scenario : study.scenarios)
-    text += fmt::format("  - {}\n", yaml::quoted(portable_reference(scenario.source)));
-  text += "parameters:\n";
-  for (const Parameter& p : study.space.free) {
+std::string parameters_yaml(const ParameterSpace& space) {
+  std::string text = "parameters:\n";
+  for (const Parameter& p : space.free) {
     text += fmt::format("  - {{name: {}, start: {}, lower: {}, upper: {}, scale: {}}}\n",
                         yaml::word(p.entry.name), p.start, p.lower, p.upper,
                         p.scale == Scale::kLog ? "log" : "linear");
   }
-  for (const Link& link : study.space.links) {
+  for (const Link& link : space.links) {
     text += fmt::format("  - {{name: {}, link: {}, factor: {}}}\n", yaml::word(link.entry.name),
-                        yaml::word(study.space.free[link.parameter].entry.name), link.factor);
+                        yaml::word(space.free[link.parameter].entry.name), link.factor);
   }
-  text += "objective:\n";
+  return text;
+}
+
+std::string objective_yaml(const Study& study) {
+  std::string text = "objective:\n";
   for (const ObjectiveTerm& term : study.terms) {
     text += fmt::format("  - {{metric: {}, weight: {}, floor: {}, scenarios: {}}}\n", name(term.metric),
                         term.weight, term.floor, subset_text(term.scenarios, study.scenarios));
   }
+  return text;
+}
+
+std::string constraints_yaml(const Study& study) {
   const auto of_margin = [](const Constraint& c) { return c.margin.has_value(); };
+  std::string text;
   if (!std::all_of(study.constraints.begin(), study.constraints.end(), of_margin)) text += "constraints:\n";
   for (const Constraint& c : study.constraints) {
     if (of_margin(c)) continue;
@@ -72,6 +75,11 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
                         c.upper ? "at_most" : "at_least", c.limit ? fmt::format("{}", *c.limit) : "start",
                         hopeless_text(c.hopeless), subset_text(c.scenarios, study.scenarios), auto_text(c));
   }
+  return text;
+}
+
+std::string sweep_yaml(const Study& study) {
+  std::string text;
   if (!study.sweep.empty()) text += "sweep:\n";
   for (const SweepAxis& axis : study.sweep) {
     std::vector<std::string> names;
@@ -79,30 +87,43 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
     text += fmt::format("  - {{parameters: [{}], factors: [{}]}}\n", fmt::join(names, ", "),
                         fmt::join(axis.factors, ", "));
   }
-  if (!study.margins.empty()) {
-    std::vector<std::string> demands;
-    for (const MarginThreshold& margin : margin_thresholds()) {
-      for (const MarginDemand& demand : study.margins) {
-        if (demand.kind == margin.kind) demands.push_back(fmt::format("{}: {}", margin.key, demand.value));
-      }
+  return text;
+}
+
+std::string margins_yaml(const Study& study) {
+  if (study.margins.empty()) return {};
+  std::vector<std::string> demands;
+  for (const MarginThreshold& margin : margin_thresholds()) {
+    for (const MarginDemand& demand : study.margins) {
+      if (demand.kind == margin.kind) demands.push_back(fmt::format("{}: {}", margin.key, demand.value));
     }
-    text += fmt::format("margins: {{{}}}\n", fmt::join(demands, ", "));
   }
-  if (study.robust) {
-    text += fmt::format("robust:\n  samples: {}\n  seed: {}\n  measure: {}\n  level: {}\n  uncertainty:\n",
-                        study.robust->samples, study.robust->seed,
-                        risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
-                        study.robust->level);
-    for (const PerturbationField& f : perturbation_fields()) {
-      text += fmt::format("    {}: {}\n", f.name, study.robust->perturbation.*f.width);
-    }
-    text += fmt::format("    phases: {}\n", study.robust->perturbation.phases);
+  return fmt::format("margins: {{{}}}\n", fmt::join(demands, ", "));
+}
+
+std::string robust_yaml(const Study& study) {
+  if (!study.robust) return {};
+  std::string text =
+      fmt::format("robust:\n  samples: {}\n  seed: {}\n  measure: {}\n  level: {}\n  uncertainty:\n",
+                  study.robust->samples, study.robust->seed,
+                  risk_measure_names()[static_cast<std::size_t>(study.robust->measure)], study.robust->level);
+  for (const PerturbationField& f : perturbation_fields()) {
+    text += fmt::format("    {}: {}\n", f.name, study.robust->perturbation.*f.width);
   }
-  text += "verdict:\n";
+  text += fmt::format("    phases: {}\n", study.robust->perturbation.phases);
+  return text;
+}
+
+std::string thresholds_yaml(const Study& study) {
+  std::string text = "verdict:\n";
   for (const ThresholdField& field : threshold_fields()) {
     text += fmt::format("  {}: {}   # {}\n", field.name, study.thresholds.*field.value, field.meaning);
   }
-  text += fmt::format(
+  return text;
+}
+
+std::string search_yaml(const Study& study) {
+  return fmt::format(
       "search: {{algorithm: {}, constraints: {}, penalty: {}, max_evaluations: {}, max_minutes: {}, "
       "initial_step: {}, x_tolerance: {}, "
       "objective_tolerance: {}, seed: {}, stepper: {}, differences: {}, difference_step: {}, starts: "
@@ -118,15 +139,35 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
       global_of(study).empty()
           ? ""
           : fmt::format(", global: {}, global_share: {}", global_of(study), study.global_share));
-  if (study.warm && !warm_file.empty()) {
-    const WarmStart& warm = *study.warm;
-    std::vector<std::string> parameters;
-    for (const std::string& name : warm.parameters) parameters.push_back(yaml::word(name));
-    text +=
-        fmt::format("warm_start: {{from: {}, box: {}{}{}}}\n", yaml::quoted(warm_file), warm.box,
-                    warm.step ? fmt::format(", step: {}", *warm.step) : "",
-                    parameters.empty() ? "" : fmt::format(", parameters: [{}]", fmt::join(parameters, ", ")));
-  }
+}
+
+std::string warm_start_yaml(const Study& study, const std::string& warm_file) {
+  if (!study.warm || warm_file.empty()) return {};
+  const WarmStart& warm = *study.warm;
+  std::vector<std::string> parameters;
+  for (const std::string& name : warm.parameters) parameters.push_back(yaml::word(name));
+  return fmt::format(
+      "warm_start: {{from: {}, box: {}{}{}}}\n", yaml::quoted(warm_file), warm.box,
+      warm.step ? fmt::format(", step: {}", *warm.step) : "",
+      parameters.empty() ? "" : fmt::format(", parameters: [{}]", fmt::join(parameters, ", ")));
+}
+
+}  // namespace
+
+std::string study_yaml(const Study& study, const std::string& gains_file, const std::string& warm_file) {
+  std::string text =
+      fmt::format("description: {}\ngains: {}\nscenarios:\n", yaml::quoted(study.description), gains_file);
+  for (const Scenario& scenario : study.scenarios)
+    text += fmt::format("  - {}\n", yaml::quoted(portable_reference(scenario.source)));
+  text += parameters_yaml(study.space);
+  text += objective_yaml(study);
+  text += constraints_yaml(study);
+  text += sweep_yaml(study);
+  text += margins_yaml(study);
+  text += robust_yaml(study);
+  text += thresholds_yaml(study);
+  text += search_yaml(study);
+  text += warm_start_yaml(study, warm_file);
   return text;
 }
 

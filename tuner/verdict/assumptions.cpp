@@ -70,6 +70,16 @@ std::string looked_at_for_obstacles(const Scenario& scenario) {
                                                       : "the arm's joint origins and its tool";
 }
 
+/// Names the gains of the position loops in the robots' drives. gain: servo_position_gain [1/s].
+std::string position_loops(const std::vector<Scenario>& scenarios, double gain) {
+  const bool given = std::any_of(scenarios.begin(), scenarios.end(), [](const Scenario& scenario) {
+    return scenario.robot->drive_position_gain.size() > 0;
+  });
+  if (!given) return fmt::format("a position loop with a gain of {:.3g} /s", gain);
+  return fmt::format("position loops with {:.3g} times the gains that the robot's file gives",
+                     gain / kDrivePositionGain);
+}
+
 }  // namespace
 
 void add_engine_assumption(Engine engine, const std::string& which, SimulationVerdict& verdict) {
@@ -97,13 +107,13 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
           robot.drive_velocity_gain.size() > 0
               ? fmt::format(
                     "the drives of {} run at no less than {:.4g} Hz, with the velocity loops that its file gives",
-                    robot.name, drive_frequency(scenario.plant.rate))
+                    robot.name, drive_frequency(robot, scenario.plant.rate))
               : fmt::format(
                     "the drives of {} run at no less than {:.4g} Hz, with velocity loops that have a bandwidth of "
                     "{:.0f} rad/s, because its file gives none",
-                    robot.name, drive_frequency(scenario.plant.rate), kDriveRate),
+                    robot.name, drive_frequency(robot, scenario.plant.rate), kDriveRate),
           verdict.assumes);
-    if (streams || gains.controller == kJointTrajectoryVelocityController)
+    if ((streams || gains.controller == kJointTrajectoryVelocityController) && robot.drive_delay.size() == 0)
       add_once(
           fmt::format("delays inside the drives of {} (torque_delay_periods delays the commands to them)",
                       robot.name),
@@ -114,15 +124,17 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
   if (streams) {
     add_once(
         fmt::format("the robot's servo as docs/position_streaming.md describes it, because manufacturers "
-                    "publish no equation, and a position loop with a gain of {:.3g} /s",
-                    own(gains, "servo_position_gain")[0]),
+                    "publish no equation, and {}",
+                    position_loops(scenarios, own(gains, "servo_position_gain")[0])),
         verdict.assumes);
     return;
   }
   add_once(
-      "joint_trajectory_controller as docs/joint_trajectory_controller.md describes it: it runs at the "
-      "scenarios' control period, interpolates points as the scenario does, and begins every motion with an "
-      "empty integral",
+      fmt::format(
+          "joint_trajectory_controller of {} as docs/joint_trajectory_controller.md describes it: it runs "
+          "at the scenarios' control period, interpolates points as the scenario does, and begins every "
+          "motion with an empty integral",
+          rules_of(jtc_distro(gains)).title),
       verdict.assumes);
 }
 

@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace {
 
-CheckKind kind_of(JointLimit limit) {
+CheckKind check_of(JointLimit limit) {
   switch (limit) {
     case JointLimit::kVelocity:
       return CheckKind::kVelocityLimit;
@@ -69,7 +69,7 @@ void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::s
   });
   for (const JointLimit limit : kJointLimits) {
     if (limit == JointLimit::kAcceleration && !accelerations) continue;  // the arm has no such limit
-    Check check{kind_of(limit)};
+    Check check{check_of(limit)};
     for (const ScenarioResult& r : results) {
       for (const BrokenLimit& broken : r.broken) {
         if (broken.limit != limit || (!check.passed && check.time <= broken.time)) continue;

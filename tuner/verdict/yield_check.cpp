@@ -26,8 +26,9 @@ struct Cause {
 
 Cause cause_of(const MonteCarloSample& sample, std::size_t scenario) {
   const Metrics& metrics = sample.results[scenario].metrics;
-  const bool velocity = sample.broken[scenario].starts_with(name(Metric::kJointVelocityMaxRatio));
-  return {sample.broken[scenario], scenario, velocity ? metrics.max_ratio_joint : std::string()};
+  const RolloutFailure& failure = sample.broken[scenario];
+  const bool velocity = failure.metric == Metric::kJointVelocityMaxRatio;
+  return {failure.text, scenario, velocity ? metrics.max_ratio_joint : std::string()};
 }
 
 std::size_t kept_of(const std::vector<MonteCarloSample>& samples) {
@@ -57,7 +58,7 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
   std::map<Cause, std::size_t> causes;
   for (const MonteCarloSample& sample : samples) {
     for (std::size_t s = 0; s < scenarios.size(); ++s) {
-      if (!sample.broken[s].empty()) ++causes[cause_of(sample, s)];
+      if (!sample.broken[s].text.empty()) ++causes[cause_of(sample, s)];
     }
   }
   if (!causes.empty()) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -13,7 +14,8 @@ namespace armtune::internal {
 double deadline_of(double asked, const Scenario& scenario) {
   constexpr double kAnyhow = 20.0;
   constexpr double kPerSecond = 2.0;
-  const int steps = steps_in(scenario.control_period, scenario.plant.rate);
+  const int steps =
+      steps_in(scenario.control_period, std::max(scenario.plant.rate, scenario.robot->drive_rate));
   return asked > 0.0 ? asked : kAnyhow + kPerSecond * scenario.duration * steps;
 }
 

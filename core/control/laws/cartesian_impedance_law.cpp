@@ -133,8 +133,8 @@ ControllerKind cartesian_impedance_controller() {
           "Cartesian impedance without feed-forward: g(q) + C q' - J^T (K e + D x') and a null space, as in "
           "the examples for Franka's arms",
           {},
-          {own_gain(kTask, "cartesian_impedance_k", "N/m, N m",
-                    "stiffness K of each axis of the task; rotations act on sin(angle / 2)", 200.0),
+          {bounded(own_gain(kTask, "cartesian_impedance_k", "N/m, N m",
+                            "stiffness K of each axis of the task; rotations act on sin(angle / 2)", 200.0)),
            root_in_loop(own_gain(kTask, "cartesian_impedance_damping_ratio", "",
                                  "damping ratio r of each axis of the task, D = d + 2 r sqrt(K)", 1.0)),
            damping,

@@ -51,21 +51,47 @@ const GainField* find_field(const std::vector<GainField>& fields, const std::str
   return found == fields.end() ? nullptr : &*found;
 }
 
+/// Calls `fail` if the default or the search range of a gain cannot be used.
+template <typename Fail>
+void check_numbers(const GainField& field, const Fail& fail) {
+  if (!std::isfinite(field.otherwise) || field.otherwise < 0.0 ||
+      (field.strictly_positive && field.otherwise == 0.0)) {
+    const std::string limit =
+        fmt::format("finite and {}", field.strictly_positive ? "above zero" : "not negative");
+    fail(fmt::format("the default of gain '{}' is {}; it must be {}", field.name, field.otherwise, limit),
+         fmt::to_string(field.otherwise), limit);
+  }
+  if (!(field.lower_factor > 0.0 && field.lower_factor < field.upper_factor)) {
+    fail(
+        fmt::format(
+            "the search range of gain '{}' is {} to {} times its start value; the first factor must be above "
+            "zero, and the second larger than the first",
+            field.name, field.lower_factor, field.upper_factor),
+        fmt::format("{} to {}", field.lower_factor, field.upper_factor),
+        "a first factor above zero, and a larger second factor");
+  }
+}
+
 void add(ControllerKind kind, Registry& registry) {
-  const auto fail = [&kind](const std::string& what) {
-    throw InputError(fmt::format("controller '{}': {}", kind.name, what));
+  const auto fail = [&kind](const std::string& what, const std::string& value = {},
+                            const std::string& limit = {}) {
+    throw InputError(fmt::format("controller '{}': {}", kind.name, what)).with_value(value, limit);
   };
-  if (!is_word(kind.name)) fail("its name must consist of letters, digits and underscores");
+  if (!is_word(kind.name))
+    fail("its name must consist of letters, digits and underscores", kind.name,
+         "letters, digits and underscores");
   if (!kind.make) fail("it has no law; set ControllerKind::make");
   for (const Registered& r : registry) {
-    if (r.kind.name == kind.name) fail("this name is registered already; choose another one");
+    if (r.kind.name == kind.name)
+      fail("this name is registered already; choose another one", kind.name, "another name");
   }
   Registered registered;
   for (const std::string& name : kind.uses) {
     const GainField* field = find_field(gain_fields(), name);
     if (field == nullptr || !field->of_law)
       fail(fmt::format("'{}' in `uses` is not a built-in gain of a control law; declare a new gain in `own`",
-                       name));
+                       name),
+           name, "a built-in gain of a control law");
   }
   for (const GainField& field : gain_fields()) {
     const auto& uses = kind.uses;
@@ -81,25 +107,17 @@ void add(ControllerKind kind, Registry& registry) {
                        field.name));
     if (!is_word(field.name) || field.name == std::string("controller")) {
       fail(fmt::format(
-          "a gain must not be called '{}'; give it a name of letters, digits and underscores other than "
-          "'controller'",
-          field.name));
+               "a gain must not be called '{}'; give it a name of letters, digits and underscores other than "
+               "'controller'",
+               field.name),
+           field.name, "letters, digits and underscores, but not 'controller'");
     }
     if (find_field(gain_fields(), field.name) != nullptr ||
         find_field(registered.fields, field.name) != nullptr) {
-      fail(fmt::format("there is a gain called '{}' already; choose another name", field.name));
+      fail(fmt::format("there is a gain called '{}' already; choose another name", field.name), field.name,
+           "another name");
     }
-    if (!std::isfinite(field.otherwise) || field.otherwise < 0.0 ||
-        (field.strictly_positive && field.otherwise == 0.0)) {
-      fail(fmt::format("the default of gain '{}' is {}; it must be finite and {}", field.name,
-                       field.otherwise, field.strictly_positive ? "above zero" : "not negative"));
-    }
-    if (!(field.lower_factor > 0.0 && field.lower_factor < field.upper_factor)) {
-      fail(fmt::format(
-          "the search range of gain '{}' is {} to {} times its start value; the first factor must be above "
-          "zero, and the second larger than the first",
-          field.name, field.lower_factor, field.upper_factor));
-    }
+    check_numbers(field, fail);
     own->place = place;
     registered.fields.push_back(field);
   }
@@ -130,8 +148,10 @@ const Registered& registered(const std::string& name) {
     if (r.kind.name == name) return r;
     names.push_back(r.kind.name);
   }
+  const std::string known = fmt::format("{}", fmt::join(names, ", "));
   throw InputError(fmt::format("'{}' is not a controller{}; the controllers are: {}", name,
-                               suggestion(name, names), fmt::join(names, ", ")));
+                               suggestion(name, names), known))
+      .with_value(name, "one of: " + known);
 }
 
 std::size_t place_of(const Gains& gains, const std::string& name) {
@@ -169,6 +189,11 @@ GainField not_in_loop(GainField gain) {
 
 GainField root_in_loop(GainField gain) {
   gain.loop = LoopGain::kRoot;
+  return gain;
+}
+
+GainField bounded(GainField gain) {
+  gain.search = SearchRange::kBounded;
   return gain;
 }
 

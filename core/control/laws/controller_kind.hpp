@@ -46,6 +46,9 @@ GainField not_in_loop(GainField gain);
 /// Returns the same gain, but to find the gain margin it is multiplied by the square root of the factor for
 /// the other gains. This suits a damping ratio, because damping is ratio times sqrt(stiffness).
 GainField root_in_loop(GainField gain);
+/// Returns the same gain, but a search leaves it unchanged unless the user gives an upper bound
+/// (SearchRange::kBounded).
+GainField bounded(GainField gain);
 /// Returns the same gain, but a search leaves it unchanged unless the study names it, and it is not
 /// multiplied to find the gain margin.
 GainField not_tuned(GainField gain);

@@ -20,12 +20,15 @@ JointDrives::JointDrives(const RobotModel& model, double period, const DriveTimi
       step_(period / steps_),
       robot_holds_(model.compensates_gravity),
       drives_(model),
-      delay_(model.n(), timing.delay) {}
+      delay_(model.n(), timing.delay),
+      output_(model, step_) {}
 
 JointDrives::JointDrives(const RobotModel& model, double period, const DriveTiming& timing,
                          const ServoGains& servo, double position_gain)
     : JointDrives(model, period, timing) {
-  position_gain_ = position_gain;
+  position_gain_ = JointVector::Constant(model.n(), position_gain);
+  if (model.drive_position_gain.size() > 0)
+    position_gain_ = position_gain / kDrivePositionGain * model.drive_position_gain;
   servo_.emplace(model, servo, step_);
 }
 
@@ -37,6 +40,7 @@ void JointDrives::begin(const JointVector& command, const JointState& measured, 
       delay_.fill(measured.q);
     }
     if (!robot_holds_) drives_.hold(weight);
+    output_.start(weight);
   }
   commanded_ = delay_.pass(command);
   if (robot_holds_) held_weight_ = weight;
@@ -46,12 +50,13 @@ void JointDrives::torque(const JointState& measured, JointVector& tau) {
   if (servo_) {
     const JointVector from = servo_->position();
     servo_->step(commanded_);
-    velocity_ = (servo_->position() - from) / step_ + position_gain_ * (from - measured.q);
+    velocity_ = (servo_->position() - from) / step_ + position_gain_.cwiseProduct(from - measured.q);
   } else {
     velocity_ = commanded_;
   }
   drives_.torque(velocity_, measured.qd, step_, tau);
   if (robot_holds_) tau += held_weight_;
+  output_.pass(tau);
 }
 
 }  // namespace armtune::internal

@@ -6,6 +6,7 @@
 
 #include "core/common/delay_line.hpp"
 #include "core/control/control_output.hpp"
+#include "core/control/laws/drive_output.hpp"
 #include "core/control/laws/position_servo.hpp"
 #include "core/control/laws/velocity_drive.hpp"
 
@@ -13,10 +14,15 @@ namespace armtune::internal {
 
 /// Rate of the drives unless another one is given [Hz].
 inline constexpr double kDriveFrequency = 1000.0;
-/// Returns the given rate, or kDriveFrequency if it is 0.
-inline double drive_frequency(double given) {
-  return given > 0.0 ? given : kDriveFrequency;
+/// Returns the lowest rate of the robot's drives [Hz]: the one of its file, else plant_rate, which a scenario
+/// gives, else kDriveFrequency. A rate of 0 is not given.
+inline double drive_frequency(const RobotModel& robot, double plant_rate) {
+  if (robot.drive_rate > 0.0) return robot.drive_rate;
+  return plant_rate > 0.0 ? plant_rate : kDriveFrequency;
 }
+
+/// Gain of the drives' position loops if the robot's file gives none [1/s]: a quarter of kDriveRate.
+inline constexpr double kDrivePositionGain = 0.25 * kDriveRate;
 
 /// The times of a robot's drives.
 struct DriveTiming {
@@ -31,14 +37,16 @@ int steps_in(double period, double frequency);
 /// The velocity drives of all joints, and for robots that take positions also the loops in front of them. At
 /// the start they hold the arm's weight: the integrals of the velocity drives are set to the torque that
 /// holds the arm. If the robot compensates gravity (RobotModel::compensates_gravity), these integrals start
-/// at zero instead, and the gravity torque of each control period is added to the drives' torque.
+/// at zero instead, and the gravity torque of each control period is added to the drives' torque. The limit
+/// of the torque's rate and the delay act on the whole torque (drive_output.hpp).
 class JointDrives {
  public:
   /// Drives that take velocities. period: control period [s].
   JointDrives(const RobotModel& model, double period, const DriveTiming& timing);
   /// Drives that take positions. A servo makes a smooth motion q_s of them. The velocity drives follow
   ///   q_s' + position_gain (q_s - q).
-  /// The first term is the mean over a period of the drives. position_gain [1/s].
+  /// The first term is the mean over a period of the drives. position_gain [1/s]: of every joint, unless the
+  /// robot's file gives gains. Then these are multiplied by position_gain / kDrivePositionGain.
   JointDrives(const RobotModel& model, double period, const DriveTiming& timing, const ServoGains& servo,
               double position_gain);
 
@@ -58,10 +66,11 @@ class JointDrives {
   int steps_;
   double step_;  ///< period of the drives [s]
   bool robot_holds_;
-  double position_gain_ = 0.0;
+  JointVector position_gain_;
   std::optional<PositionServo> servo_;
   VelocityDrives drives_;
   DelayLine delay_;
+  DriveOutput output_;
   bool begun_ = false;       ///< there was a control period before
   JointVector commanded_;    ///< the command that acts now
   JointVector velocity_;     ///< command for the velocity drives

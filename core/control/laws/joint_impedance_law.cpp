@@ -69,7 +69,7 @@ ControllerKind joint_impedance_controller() {
       "joint impedance: g(q) + k (qd - q) + d (qd' - q') for each joint along a joint trajectory, as in the "
       "examples for Franka's arms",
       {},
-      {own_gain(kJoints, "joint_impedance_k", "N m/rad", "stiffness k of each joint", 100.0),
+      {bounded(own_gain(kJoints, "joint_impedance_k", "N m/rad", "stiffness k of each joint", 100.0)),
        own_gain(kJoints, "joint_impedance_d", "N m s/rad", "damping d of each joint", 10.0), ratio,
        not_tuned(own_gain(
            kScalar, "joint_impedance_velocity_factor", "",

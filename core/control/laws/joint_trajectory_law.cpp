@@ -25,7 +25,10 @@ constexpr std::array kEffortGains = {"jtc_p",
                                      "jtc_tracking_time",
                                      "jtc_error_deadband",
                                      "jtc_u_clamp_max",
-                                     "jtc_u_clamp_min"};
+                                     "jtc_u_clamp_min",
+                                     "jtc_i_clamp_min",
+                                     "jtc_angle_wraparound",
+                                     "jtc_distro"};
 constexpr std::array kVelocityGains = {"jtc_velocity_p",
                                        "jtc_velocity_i",
                                        "jtc_velocity_d",
@@ -35,52 +38,63 @@ constexpr std::array kVelocityGains = {"jtc_velocity_p",
                                        "jtc_velocity_tracking_time",
                                        "jtc_velocity_error_deadband",
                                        "jtc_velocity_u_clamp_max",
-                                       "jtc_velocity_u_clamp_min"};
+                                       "jtc_velocity_u_clamp_min",
+                                       "jtc_velocity_i_clamp_min",
+                                       "jtc_velocity_angle_wraparound",
+                                       "jtc_velocity_distro"};
 static_assert(kEffortGains.size() == kVelocityGains.size());
 
 /// The kinds of anti-windup, in the order of the numbers in a gains file.
 constexpr std::array kAntiWindups = {AntiWindup::kOfContribution, AntiWindup::kOfIntegral, AntiWindup::kNone,
                                      AntiWindup::kConditional, AntiWindup::kBackCalculation};
 
+/// True if the position error of a joint is wrapped to -pi .. pi. asked: the joint's angle_wraparound.
+bool wraps(Wraparound rule, bool has_limits, bool asked) {
+  if (rule == Wraparound::kAsParameter) return asked;
+  return rule == Wraparound::kAll || !has_limits;
+}
+
 class JointTrajectoryLaw final : public TorqueLaw {
  public:
   explicit JointTrajectoryLaw(const LawSetup& setup)
       : TorqueLaw(setup),
         feeds_forward_(jtc_gain(setup.gains, "ff_velocity_scale")),
+        feeds_next_velocity_(rules_of(jtc_distro(setup.gains)).feeds_next_velocity),
         held_by_robot_(setup.model.compensates_gravity),
         period_(setup.period),
         desired_(setup.model.n(), setup.period) {
     if (setup.gains.controller == kJointTrajectoryVelocityController)
       drives_.emplace(setup.model, setup.period, setup.drives);
-    const JointVector& clamp = jtc_gain(setup.gains, "i_clamp");
     const auto anti_windup = static_cast<std::size_t>(jtc_gain(setup.gains, "antiwindup")[0]);
     for (int i = 0; i < setup.model.n(); ++i) {
       RosPidGains& gains = gains_[static_cast<std::size_t>(i)];
       gains.p = jtc_gain(setup.gains, "p")[i];
       gains.i = jtc_gain(setup.gains, "i")[i];
       gains.d = jtc_gain(setup.gains, "d")[i];
-      gains.i_max = clamp[i];
-      gains.i_min = -clamp[i];
+      gains.i_max = jtc_gain(setup.gains, "i_clamp")[i];
+      gains.i_min = -jtc_lower_i_clamp(setup.gains, i);
       gains.u_max = jtc_gain(setup.gains, "u_clamp_max")[i];
       gains.u_min = -jtc_gain(setup.gains, "u_clamp_min")[i];
       gains.anti_windup = kAntiWindups[anti_windup];
       gains.tracking_time = jtc_gain(setup.gains, "tracking_time")[i];
       gains.deadband = jtc_gain(setup.gains, "error_deadband")[i];
       const auto k = static_cast<std::size_t>(i);
-      turns_[k] = !setup.model.joints[k].limits.has_position;
+      turns_[k] =
+          wraps(rules_of(jtc_distro(setup.gains)).wraparound, setup.model.joints[k].limits.has_position,
+                jtc_gain(setup.gains, "angle_wraparound")[i] != 0.0);
     }
   }
 
   void torque(const LawInput& in, JointVector& tau) override {
     const MotionPoint<JointVector> desired = desired_.next(in);
-    const bool ahead = in.control.state == ControlState::kFollowPlan && !feeds_forward_.isZero(0.0);
+    const bool ahead =
+        feeds_next_velocity_ && in.control.state == ControlState::kFollowPlan && !feeds_forward_.isZero(0.0);
     JointVector next = ahead ? in.scene.plan->at(in.time + period_).velocity : desired.velocity;
     if (ahead && in.scene.holds_plan && in.time + period_ > in.scene.plan->end()) next.setZero();
     command_.resize(feeds_forward_.size());
     for (Eigen::Index i = 0; i < command_.size(); ++i) {
       const auto k = static_cast<std::size_t>(i);
       const double away = desired.position[i] - in.measured.q[i];
-      // A joint without limits takes the short way.
       const double error = turns_[k] ? std::remainder(away, 2.0 * M_PI) : away;
       command_[i] = feeds_forward_[i] * next[i] +
                     pids_[k].output(gains_[k], error, desired.velocity[i] - in.measured.qd[i], period_);
@@ -100,9 +114,10 @@ class JointTrajectoryLaw final : public TorqueLaw {
  private:
   std::array<RosPidGains, kMaxJoints> gains_{};
   std::array<RosPid, kMaxJoints> pids_{};
-  std::array<bool, kMaxJoints> turns_{};  ///< joint without position limits
+  std::array<bool, kMaxJoints> turns_{};  ///< true: the joint takes the short way round
   JointVector feeds_forward_;
-  JointVector command_;  ///< efforts or velocities
+  bool feeds_next_velocity_;  ///< false: the feed-forward takes the desired velocity of this period
+  JointVector command_;       ///< efforts or velocities
   std::optional<JointDrives> drives_;
   bool held_by_robot_;  ///< the robot itself compensates gravity
   JointVector weight_;
@@ -123,6 +138,14 @@ std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*
       "back_calculation, as ROS 2 Jazzy has them",
       1.0));
   anti_windup.below = kAntiWindups.size();
+  GainField wraparound = not_tuned(
+      own_gain(kJoints, names[11], "",
+               "angle_wraparound of ROS 2 Humble: with 1 the position error is wrapped to -pi .. pi", 0.0));
+  wraparound.below = 2.0;
+  GainField distro = not_tuned(own_gain(
+      GainShape::kScalar, names[12], "",
+      "the distribution of ROS that is simulated; 0: ROS 2 Jazzy, 1: ROS 2 Humble, 2: ROS 1 Noetic", 0.0));
+  distro.below = kRosRules.size();
   return {
       own_gain(kJoints, names[0], units[0], "p on the position error of each joint", p),
       own_gain(kJoints, names[1], units[1], "i on the integral of each joint's position error", 0.0),
@@ -150,7 +173,13 @@ std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*
       not_tuned(own_gain(kJoints, names[9], units[3],
                          "size of u_clamp_min, which is negative: the smallest command, without the "
                          "feed-forward",
-                         kNoClamp))};
+                         kNoClamp)),
+      not_tuned(own_gain(kJoints, names[10], units[3],
+                         "size of i_clamp_min, which is negative, if it differs from i_clamp; 0: the same as "
+                         "i_clamp",
+                         0.0)),
+      wraparound,
+      distro};
 }
 
 std::unique_ptr<TorqueLaw> make_law(const LawSetup& setup) {
@@ -172,6 +201,15 @@ const JointVector& jtc_gain(const Gains& gains, const std::string& what) {
 }
 JointVector& jtc_gain(Gains& gains, const std::string& what) {
   return own(gains, jtc_name(gains.controller, what));
+}
+
+RosDistro jtc_distro(const Gains& gains) {
+  return static_cast<RosDistro>(static_cast<int>(jtc_gain(gains, "distro")[0]));
+}
+
+double jtc_lower_i_clamp(const Gains& gains, Eigen::Index joint) {
+  const double own_size = jtc_gain(gains, "i_clamp_min")[joint];
+  return own_size != 0.0 ? own_size : jtc_gain(gains, "i_clamp")[joint];
 }
 
 ControllerKind joint_trajectory_controller() {

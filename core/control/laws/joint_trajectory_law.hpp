@@ -3,6 +3,7 @@
 // simulates them to tune gains for the real controller.
 
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/ros_distro.hpp"
 
 namespace armtune::internal {
 
@@ -20,13 +21,18 @@ std::string jtc_name(const std::string& kind, const std::string& what);
 const JointVector& jtc_gain(const Gains& gains, const std::string& what);
 JointVector& jtc_gain(Gains& gains, const std::string& what);
 
+/// Returns the distribution of ROS whose rules gains of such a kind follow.
+RosDistro jtc_distro(const Gains& gains);
+/// Returns the size of the lower bound of the integral's contribution for a joint.
+double jtc_lower_i_clamp(const Gains& gains, Eigen::Index joint);
+
 /// Makes the kind with effort commands. Each joint has a PID on its error from the desired motion, and a
 /// feed-forward of the desired velocity:
 ///   tau_i = p e_i + clamp(i int(e_i), +-i_clamp) + d e_i' + ff_velocity_scale qd_i'(t + period),
 ///   e = qd - q,   qd: desired positions.
 /// The law has no model of the arm and does not compensate its weight. A robot with compensates_gravity adds
-/// the torque for the weight itself. Source: ros2_controllers, branch `jazzy` (16 August 2026). The branch
-/// `humble` uses the desired velocity at t instead of t + period. For the integral see ros_pid.hpp.
+/// the torque for the weight itself. The equation is that of ROS 2 Jazzy. The gain jtc_distro selects the
+/// rules of Humble or of ROS 1 instead (ros_distro.hpp). For the integral see ros_pid.hpp.
 ControllerKind joint_trajectory_controller();
 
 /// Makes the kind with velocity commands. The output of the PID is a velocity, which the joints' drives

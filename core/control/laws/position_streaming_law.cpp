@@ -7,9 +7,8 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kServoGain = 300.0;    // 1/s^2, UR's default
-constexpr double kLookahead = 0.1;      // s, UR's default
-constexpr double kPositionRate = 0.25;  // of the rate of the velocity drives
+constexpr double kServoGain = 300.0;  // 1/s^2, UR's default
+constexpr double kLookahead = 0.1;    // s, UR's default
 
 class PositionStreamingLaw final : public TorqueLaw {
  public:
@@ -40,7 +39,9 @@ ControllerKind position_streaming_controller() {
   constexpr auto kScalar = GainShape::kScalar;
   GainField position = positive(own_gain(
       kScalar, "servo_position_gain", "1/s",
-      "gain of the robot's position loop, which commands its velocity drives", kPositionRate * kDriveRate));
+      "gain of the robot's position loop, which commands its velocity drives; if the robot's file gives a "
+      "position_gain, that is multiplied by this value / 15",
+      kDrivePositionGain));
   position.search = SearchRange::kNone;  // the robot's own
   return {kPositionStreaming,
           "streamed joint positions: the robot's servo smooths them by a gain and a look-ahead time, as UR's "

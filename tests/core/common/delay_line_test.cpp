@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace armtune::internal {
-namespace {
+namespace delay_line_test {
 
 class DelayLines : public testing::TestWithParam<int> {};
 
@@ -28,5 +28,5 @@ TEST_P(DelayLines, BeginWithTheGivenVector) {
 
 INSTANTIATE_TEST_SUITE_P(Periods, DelayLines, testing::Values(0, 1, 2, 7));
 
-}  // namespace
+}  // namespace delay_line_test
 }  // namespace armtune::internal

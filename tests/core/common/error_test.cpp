@@ -8,7 +8,7 @@
 #include "core/common/input_place.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace error_test {
 
 TEST(InputErrors, BeginWithWhatIsKnownOfTheirPlace) {
   EXPECT_STREQ(InputError("no arm").what(), "no arm");
@@ -24,6 +24,34 @@ TEST(InputErrors, KeepTheirPlaceInCopiesAndWithMoreText) {
     EXPECT_EQ(same.place().key, "targets/1");
   }
   EXPECT_STREQ(error.with("; see the copy").what(), "a.yaml:7: not a list; see the copy");
+}
+
+TEST(InputErrors, MakeTheirMessageFromTheFieldsOfAFault) {
+  const InputError error(at_line("a.yaml", 7, "mass"), InputFault{"9 is out of range", "9", "0 to 5.5"});
+  EXPECT_STREQ(error.what(), "a.yaml:7: 9 is out of range; expected 0 to 5.5");
+  EXPECT_EQ(error.place().key, "mass");
+  EXPECT_EQ(error.value(), "9");
+  EXPECT_EQ(error.limit(), "0 to 5.5");
+  const InputError unlimited(InputPlace{"a.yaml"}, InputFault{"9 is too much", "9"});
+  EXPECT_STREQ(unlimited.what(), "a.yaml: 9 is too much");
+}
+
+TEST(InputErrors, KeepTheirMessageAndPlaceWithAValueAndALimit) {
+  const InputError error(at_line("a.yaml", 7, "mass"), "9 kg are too heavy");
+  EXPECT_EQ(error.value() + error.limit(), "");
+  const InputError full = error.with_value("9", "at most 5");
+  EXPECT_STREQ(full.what(), error.what());
+  EXPECT_EQ(full.place().line, 7);
+  for (const InputError& same : {full, full.with("; see the copy")}) {
+    EXPECT_EQ(same.value(), "9");
+    EXPECT_EQ(same.limit(), "at most 5");
+  }
+}
+
+TEST(InputErrors, BeginWithTheArgumentIfThereIsNoFile) {
+  const InputError error(InputPlace{.key = "workers"}, "0; it must be at least 1");
+  EXPECT_STREQ(error.what(), "workers: 0; it must be at least 1");
+  EXPECT_EQ(error.place().key, "workers");
 }
 
 TEST(InputErrors, HaveNoPlaceIfNoFileIsTheCause) {
@@ -42,5 +70,5 @@ TEST(InputErrors, NameAFileThatCannotBeRead) {
   }
 }
 
-}  // namespace
+}  // namespace error_test
 }  // namespace armtune::internal

@@ -6,16 +6,17 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace file_name_test {
 
 using test::refusal;
+using test::refused_at;
 using testing::HasSubstr;
 
 TEST(FileName, TheLongestThatIsAcceptedLeavesRoomForWhatIsPutAroundIt) {
   const std::string longest(kLongestName, 'n');
   EXPECT_NO_THROW(check_file_name(longest, "p"));
-  EXPECT_THAT(refusal([&] { check_file_name(longest + "n", "p.yaml"); }),
-              testing::AllOf(HasSubstr("p.yaml"), HasSubstr("201"), HasSubstr("200")));
+  EXPECT_THAT([&] { check_file_name(longest + "n", "p.yaml"); },
+              refused_at({.file = "p.yaml", .value = "201", .limit = "at most 200 bytes"}));
   const test::TemporaryFolder folder;
   for (const std::string& name : {"rollout_" + longest + ".csv.partial", "errors_" + longest + ".csv.partial",
                                   "pareto_" + longest + "_20261126-111927"}) {
@@ -43,5 +44,5 @@ TEST(ResultName, WhatBreaksACsvFileIsRefused) {
     EXPECT_THAT(refusal([&] { check_result_name(name, "p.yaml"); }), HasSubstr("CSV"));
 }
 
-}  // namespace
+}  // namespace file_name_test
 }  // namespace armtune::internal

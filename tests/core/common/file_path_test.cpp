@@ -7,7 +7,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace file_path_test {
 
 namespace fs = std::filesystem;
 
@@ -41,5 +41,5 @@ TEST(AbsolutePath, BeginsAtTheRoot) {
   EXPECT_EQ(absolute_path("/x/./y"), "/x/y");
 }
 
-}  // namespace
+}  // namespace file_path_test
 }  // namespace armtune::internal

@@ -15,7 +15,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace input_file_test {
 
 constexpr std::size_t kMost = 1000;
 
@@ -80,7 +80,7 @@ TEST(InputRecord, ASmallerLimitHoldsForWhatIsRecorded) {
   const std::string path = folder.write("a.txt", "0123456789");
   const InputRecord record;
   read(path);
-  EXPECT_THAT(test::refusal([&] { (void)read_input_file(path, 5, "a text"); }), testing::HasSubstr(path));
+  EXPECT_THAT([&] { (void)read_input_file(path, 5, "a text"); }, test::refused_at({.file = path}));
 }
 
 TEST(ReadFile, APipeIsWaitedForAndReadToItsEnd) {
@@ -130,9 +130,10 @@ TEST(ReadInputFile, APathThatNoFileCouldNameIsRefusedAndShownEscaped) {
                                     {"caf\xE9", "caf\\xe9"}}) {
     const std::string path = folder.write(name, "text");
     EXPECT_THAT(test::refusal([&] { (void)read(path); }), testing::HasSubstr(folder / shown));
+    EXPECT_THAT([&] { (void)read(path); }, test::refused_at({.file = path}));
   }
   EXPECT_EQ(read(folder.write("é: \xF0\x9F\xA4\x96 #1", "text")), "text");
 }
 
-}  // namespace
+}  // namespace input_file_test
 }  // namespace armtune::internal

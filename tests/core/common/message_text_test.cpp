@@ -7,7 +7,7 @@
 #include "core/common/utf8.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace message_text_test {
 
 TEST(OneLine, EscapesLineBreaksAndControlCharacters) {
   EXPECT_EQ(one_line("a\nb\tc\x1b[31m \x7f é"), "a\\nb\\x09c\\x1b[31m \\x7f é");
@@ -72,5 +72,5 @@ TEST(IsUtf8, FollowsTheTableOfUnicode) {
   }
 }
 
-}  // namespace
+}  // namespace message_text_test
 }  // namespace armtune::internal

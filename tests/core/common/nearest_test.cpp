@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace armtune::internal {
-namespace {
+namespace nearest_test {
 
 const std::vector<std::string> kKeys = {"duration", "damping", "payload", "kp", "kd"};
 
@@ -70,5 +70,5 @@ TEST(Suggestion, IsEmptyWhenNothingIsClose) {
   EXPECT_EQ(suggestion("gravity", kKeys), "");
 }
 
-}  // namespace
+}  // namespace nearest_test
 }  // namespace armtune::internal

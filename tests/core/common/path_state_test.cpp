@@ -9,9 +9,10 @@
 
 #include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
+#include "tests/core/support/refused_at.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace path_state_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -19,12 +20,7 @@ using testing::HasSubstr;
 
 template <typename Action>
 std::string refusal(Action&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was refused";
+  return test::input_error(action).what();
 }
 
 class PathState : public testing::Test {
@@ -43,7 +39,7 @@ TEST_F(PathState, SaysWhatIsThereAndWhatIsNot) {
   EXPECT_NO_THROW(refuse_existing(file));
   std::ofstream(file) << "text";
   EXPECT_TRUE(is_there(file));
-  EXPECT_THAT(refusal([&] { refuse_existing(file); }), HasSubstr(file));
+  EXPECT_THAT([&] { refuse_existing(file); }, test::refused_at({.file = file}));
   EXPECT_FALSE(is_there(file + "/below"));
   EXPECT_TRUE(is_there(folder_));
 }
@@ -63,7 +59,7 @@ TEST_F(PathState, AFolderIsEmptyOnlyIfItCanBeRead) {
   EXPECT_FALSE(is_missing_or_empty(inner));
   std::ofstream(inner + "/file") << "text";
   EXPECT_FALSE(is_missing_or_empty(inner));
-  EXPECT_THAT(refusal([&] { is_missing_or_empty(inner + "/file"); }), HasSubstr(inner + "/file"));
+  EXPECT_THAT([&] { is_missing_or_empty(inner + "/file"); }, test::refused_at({.file = inner + "/file"}));
 }
 
 TEST_F(PathState, WhatCannotBeToldIsAnErrorWithItsReason) {
@@ -82,7 +78,7 @@ TEST_F(PathState, ALinkIsInTheWayWhereverItLeads) {
   const std::string link = folder_ / "link";
   fs::create_symlink(folder_ / "nowhere", link);
   EXPECT_FALSE(is_there(link));
-  EXPECT_THAT(refusal([&] { refuse_existing(link); }), HasSubstr(link));
+  EXPECT_THAT([&] { refuse_existing(link); }, test::refused_at({.file = link}));
 }
 
 TEST_F(PathState, ARelativePathNeedsTheCurrentFolder) {
@@ -96,5 +92,5 @@ TEST_F(PathState, ARelativePathNeedsTheCurrentFolder) {
   fs::current_path(before);
 }
 
-}  // namespace
+}  // namespace path_state_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace small_solvers_test {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 using test::random_vector;
@@ -103,5 +103,5 @@ TEST(Products, AreEigensToRounding) {
   }
 }
 
-}  // namespace
+}  // namespace small_solvers_test
 }  // namespace armtune::internal

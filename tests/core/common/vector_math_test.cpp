@@ -10,7 +10,7 @@
 #include "core/robot/friction.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace vector_math_test {
 
 using vector_math::Double2;
 
@@ -130,5 +130,5 @@ TEST(Friction, ItsDirectionIsTheHyperbolicTangent) {
   }
 }
 
-}  // namespace
+}  // namespace vector_math_test
 }  // namespace armtune::internal

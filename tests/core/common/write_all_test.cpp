@@ -12,7 +12,7 @@
 #include <thread>
 
 namespace armtune::internal {
-namespace {
+namespace write_all_test {
 
 TEST(WriteAll, WaitsForAPipeThatIsFull) {
   int ends[2];
@@ -59,5 +59,5 @@ TEST(WriteAll, EndsWhereNothingIsAccepted) {
   ::close(memory);
 }
 
-}  // namespace
+}  // namespace write_all_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace adaptation_test {
 
 using test::random_vector;
 using test::WorstError;
@@ -276,5 +276,5 @@ TEST(AdaptationFilter, PassesSlowMotionAndDampsFastMotionAsAFirstOrderLowPass) {
   }
 }
 
-}  // namespace
+}  // namespace adaptation_test
 }  // namespace armtune::internal

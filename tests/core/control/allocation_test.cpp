@@ -16,7 +16,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace allocation_test {
 
 class Allocation : public testing::Test {
  protected:
@@ -168,5 +168,5 @@ TEST_F(Allocation, NeverHappensInAKernelForThreeToTwelveJoints) {
   }
 }
 
-}  // namespace
+}  // namespace allocation_test
 }  // namespace armtune::internal

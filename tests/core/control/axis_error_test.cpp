@@ -14,7 +14,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace axis_error_test {
 
 using test::random_vector;
 constexpr double kRounding = 1e-12;
@@ -98,5 +98,5 @@ TEST_P(FreeTurn, ChangesNoReferenceOfTheTask) {
 
 INSTANTIATE_TEST_SUITE_P(GazeErrors, FreeTurn, testing::Values(0.1, 0.9));
 
-}  // namespace
+}  // namespace axis_error_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace cartesian_law_test {
 
 using test::random_vector;
 using test::WorstError;
@@ -151,5 +151,5 @@ TEST(CartesianReferences, CarryTheDesiredMotionForward) {
   }
 }
 
-}  // namespace
+}  // namespace cartesian_law_test
 }  // namespace armtune::internal

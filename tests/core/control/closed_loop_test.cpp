@@ -12,7 +12,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace closed_loop_test {
 
 /// Largest |S| while a leaveSingularity of one second is under way, theta at the truth.
 double largest_S(double period) {
@@ -91,5 +91,5 @@ TEST(ClosedLoop, AdaptationFromNothingLearnsToCarryTheArm) {
   EXPECT_LT(worst_late, 0.1 * worst_early);
 }
 
-}  // namespace
+}  // namespace closed_loop_test
 }  // namespace armtune::internal

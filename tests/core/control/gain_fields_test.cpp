@@ -12,24 +12,21 @@
 #include "core/control/laws/valid_gains.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/controller_rig.hpp"
+#include "tests/core/support/refused_at.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gain_fields_test {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using test::refused_at;
 
-/// What validate says about a UR10's gains after one change.
-std::string refusal_of(const std::function<void(Gains&)>& change) {
+/// The error of validate for a UR10's gains after one change, and its message.
+InputError error_of(const std::function<void(Gains&)>& change) {
   Gains gains = test::ur10_gains();
   change(gains);
-  try {
-    validate(gains, joint_names(test::ur10()), "gains.yaml");
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("gains.yaml: "));
-    return error.what();
-  }
-  return "nothing was refused";
+  return test::input_error([&] { validate(gains, joint_names(test::ur10()), "gains.yaml"); });
+}
+std::string refusal_of(const std::function<void(Gains&)>& change) {
+  return error_of(change).what();
 }
 
 void set(Gains& gains, const GainField& field, std::size_t index, double value) {
@@ -73,8 +70,11 @@ TEST(GainFields, EveryNumberMustBeFiniteAndTheRefusalNamesTheGain) {
     }();
     for (std::size_t i = 0; i < count; ++i) {
       for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-        EXPECT_THAT(refusal_of([&](Gains& gains) { set(gains, field, i, bad); }),
-                    AllOf(HasSubstr(field.name), HasSubstr(std::isnan(bad) ? "nan" : "inf")));
+        EXPECT_THAT(error_of([&](Gains& gains) { set(gains, field, i, bad); }),
+                    refused_at({.file = "gains.yaml",
+                                .key = field.name,
+                                .value = std::isnan(bad) ? "nan" : "inf",
+                                .limit = testing::StartsWith("finite and ")}));
       }
     }
   }
@@ -83,11 +83,11 @@ TEST(GainFields, EveryNumberMustBeFiniteAndTheRefusalNamesTheGain) {
 TEST(GainFields, NoNumberButTheJointGoalMayBeNegative) {
   for (const GainField& field : gain_fields()) {
     if (!field.is_number()) continue;
-    const std::string message = refusal_of([&](Gains& gains) { set(gains, field, 0, -1.25); });
+    const InputError error = error_of([&](Gains& gains) { set(gains, field, 0, -1.25); });
     if (std::string(field.name) == "joint_space_goal") {
-      EXPECT_EQ(message, "nothing was refused");
+      EXPECT_STREQ(error.what(), "nothing was refused");
     } else {
-      EXPECT_THAT(message, AllOf(HasSubstr(field.name), HasSubstr("-1.25")));
+      EXPECT_THAT(error, refused_at({.key = field.name, .value = "-1.25"}));
     }
   }
 }
@@ -102,15 +102,14 @@ TEST(GainFields, ZeroIsRefusedExactlyWhereAFieldIsStrictlyPositive) {
 
 TEST(GainFields, TheRefusalNamesTheComponent) {
   EXPECT_THAT(refusal_of([](Gains& gains) { gains.task_space_gains_p[3] = -2.0; }),
-              HasSubstr("task_space_gains_p/rx is -2"));
+              testing::StartsWith("gains.yaml: task_space_gains_p/rx is -2; it must be finite and "));
   EXPECT_THAT(refusal_of([](Gains& gains) { gains.task_space_gains_d[2] = -2.0; }),
-              HasSubstr("task_space_gains_d/elbow_joint is -2"));
+              testing::StartsWith("gains.yaml: task_space_gains_d/elbow_joint is -2; "));
 }
 
 TEST(GainFields, AWrongNumberOfJointGainsIsRefusedWithBothNumbers) {
-  EXPECT_THAT(
-      refusal_of([](Gains& gains) { gains.force_control_gains = JointVector::Ones(5); }),
-      AllOf(HasSubstr("force_control_gains has 5 values"), HasSubstr("needs 6"), HasSubstr("wrist_3_joint")));
+  EXPECT_THAT(error_of([](Gains& gains) { gains.force_control_gains = JointVector::Ones(5); }),
+              refused_at({.key = "force_control_gains", .value = "5", .limit = "6 values"}));
 }
 
 TEST(GainFields, GainsOfForcesAreOnePerForcePointOrOnePerForcePointAndJoint) {
@@ -120,26 +119,28 @@ TEST(GainFields, GainsOfForcesAreOnePerForcePointOrOnePerForcePointAndJoint) {
   EXPECT_EQ(refusal_of(with(6)), "nothing was refused");
   EXPECT_EQ(refusal_of(with(36)), "nothing was refused");
   for (const Eigen::Index count : {0, 1, 12, 35, 37}) {
-    EXPECT_THAT(refusal_of(with(count)), HasSubstr("force_control_gains")) << count;
+    EXPECT_THAT(error_of(with(count)),
+                refused_at({.key = "force_control_gains", .value = std::to_string(count)}));
   }
   EXPECT_THAT(refusal_of([](Gains& gains) {
                 gains.force_control_gains = ForceGains::Ones(36);
                 gains.force_control_gains[2 * 6 + 1] = -2.0;
               }),
-              HasSubstr("force_control_gains/elbow_joint/shoulder_lift_joint is -2"));
+              testing::StartsWith("gains.yaml: force_control_gains/elbow_joint/shoulder_lift_joint is -2"));
 }
 
 TEST(GainFields, ReleaseRadiusIsZeroOrAtLeastTheInfluenceRadius) {
   EXPECT_EQ(refusal_of([](Gains& gains) { gains.release_radius = gains.obstacleInfluenceRadius; }),
             "nothing was refused");
-  EXPECT_THAT(refusal_of([](Gains& gains) { gains.release_radius = 0.3; }),
-              AllOf(HasSubstr("release_radius is 0.3"), HasSubstr("obstacleInfluenceRadius = 0.325")));
+  EXPECT_THAT(error_of([](Gains& gains) { gains.release_radius = 0.3; }),
+              refused_at({.key = "release_radius", .value = "0.3", .limit = "0 or at least 0.325"}));
 }
 
 TEST(GainFields, ASlerpMustStartBeforeItsEnd) {
   EXPECT_EQ(refusal_of([](Gains& gains) { gains.slerp_start = 0.999; }), "nothing was refused");
-  EXPECT_THAT(refusal_of([](Gains& gains) { gains.slerp_start = 1.0; }), HasSubstr("slerp_start is 1"));
+  EXPECT_THAT(error_of([](Gains& gains) { gains.slerp_start = 1.0; }),
+              refused_at({.key = "slerp_start", .value = "1", .limit = "below 1"}));
 }
 
-}  // namespace
+}  // namespace gain_fields_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gaze_control_test {
 
 using test::gains_for_gaze;
 using test::Sight;
@@ -207,5 +207,5 @@ TEST(GazeControl, StretchesASlerpThatTheJointsCannotFollow) {
   }
 }
 
-}  // namespace
+}  // namespace gaze_control_test
 }  // namespace armtune::internal

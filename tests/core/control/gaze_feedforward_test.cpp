@@ -13,7 +13,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gaze_feedforward_test {
 
 using test::gains_for_gaze;
 using test::random_vec3;
@@ -205,5 +205,5 @@ TEST(GazeControl, BelowTheThresholdTheDesiredOrientationTurnsWithTheLineOnlyWith
   }
 }
 
-}  // namespace
+}  // namespace gaze_feedforward_test
 }  // namespace armtune::internal

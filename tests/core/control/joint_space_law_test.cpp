@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace joint_space_law_test {
 
 using test::random_vector;
 using test::WorstError;
@@ -72,5 +72,5 @@ TEST(JointSpaceReferences, PointBackToTheDesiredPositionAndVelocity) {
   EXPECT_TRUE((reference.acceleration.array() < 0.0).all());
 }
 
-}  // namespace
+}  // namespace joint_space_law_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace lyapunov_test {
 
 /// A leaveSingularity under way in a noise-free closed loop: of its reference qr'' is the exact derivative of
 /// qr', which V' needs.
@@ -101,5 +101,5 @@ TEST(Lyapunov, FallsByWhatKdDissipatesWithFrictionUnknownToo) {
   expect_balanced(ur10_with_friction());
 }
 
-}  // namespace
+}  // namespace lyapunov_test
 }  // namespace armtune::internal

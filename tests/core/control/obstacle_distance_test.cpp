@@ -12,7 +12,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace obstacle_distance_test {
 
 using test::distance_by_sampling;
 using test::random_obstacles;
@@ -127,5 +127,5 @@ TEST(Clearance, IsInfiniteWithoutObstacles) {
   EXPECT_EQ(clearance(arm.chain, poses, {}), std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace obstacle_distance_test
 }  // namespace armtune::internal

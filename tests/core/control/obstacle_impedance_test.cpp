@@ -13,7 +13,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace obstacle_impedance_test {
 
 using test::derivative;
 using test::random_obstacles;
@@ -202,5 +202,5 @@ TEST(ObstacleTorque, IsZeroWithoutAnObstacleInReach) {
   EXPECT_TRUE(torque(arm.chain, poses, {{Vec3(9.0, 9.0, 9.0)}}, gains).isZero(0.0));
 }
 
-}  // namespace
+}  // namespace obstacle_impedance_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace pose_search_test {
 
 double no_preference(const JointVector&) {
   return 0.0;
@@ -126,5 +126,5 @@ TEST(PoseSearch, TheTightestJointIsTheOneWithTheLeastShareLeft) {
   EXPECT_EQ(tightest_joint(arm, q).joint, 4);
 }
 
-}  // namespace
+}  // namespace pose_search_test
 }  // namespace armtune::internal

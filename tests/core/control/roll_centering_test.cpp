@@ -10,7 +10,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace roll_centering_test {
 
 constexpr double kPeriod = 0.002;
 constexpr double kGain = 0.2;
@@ -143,5 +143,5 @@ TEST(RollCentering, KeepsTheLastJointInsideItsLimitsWhileTheToolGoesRound) {
   }
 }
 
-}  // namespace
+}  // namespace roll_centering_test
 }  // namespace armtune::internal

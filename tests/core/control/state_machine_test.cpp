@@ -7,7 +7,7 @@
 #include <string>
 
 namespace armtune::internal {
-namespace {
+namespace state_machine_test {
 
 constexpr ControlState kLeave = ControlState::kLeaveSingularity;
 constexpr ControlState kReturn = ControlState::kReturnToTrajectory;
@@ -106,5 +106,5 @@ TEST(ControlStateName, IsThePublishedOneWhereThereIsOne) {
   EXPECT_EQ(std::string(name(kPlan)), "followPlan");
 }
 
-}  // namespace
+}  // namespace state_machine_test
 }  // namespace armtune::internal

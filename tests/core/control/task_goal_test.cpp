@@ -12,7 +12,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace task_goal_test {
 
 using test::derivative;
 using test::WorstError;
@@ -197,5 +197,5 @@ TEST(Towards, OfAStandingGoalIsTheJointTrajectory) {
   }
 }
 
-}  // namespace
+}  // namespace task_goal_test
 }  // namespace armtune::internal

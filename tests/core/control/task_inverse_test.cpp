@@ -12,7 +12,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace task_inverse_test {
 
 using test::WorstError;
 
@@ -147,5 +147,5 @@ TEST(TaskInverse, IsFiniteAtASingularity) {
   }
 }
 
-}  // namespace
+}  // namespace task_inverse_test
 }  // namespace armtune::internal

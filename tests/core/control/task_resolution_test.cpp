@@ -9,7 +9,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace task_resolution_test {
 
 using test::random_vector;
 using test::rows_of;
@@ -174,5 +174,5 @@ TEST(TaskResolution, CenteringMovesTheFreeJointsUntilNothingDrawsThemAndLeavesTh
   EXPECT_LT((measured.poses.R_0T - before.R_0T).norm(), 1e-3);
 }
 
-}  // namespace
+}  // namespace task_resolution_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace tool_aim_test {
 
 using test::derivative;
 using test::random_vec3;
@@ -163,5 +163,5 @@ TEST(GazeControl, ASlerpGoesOnPastHalfATurnOfItsGoal) {
   }
 }
 
-}  // namespace
+}  // namespace tool_aim_test
 }  // namespace armtune::internal

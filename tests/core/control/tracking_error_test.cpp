@@ -9,7 +9,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace tracking_error_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -77,5 +77,5 @@ TEST(TrackingError, OfAFreeTurnHasNoPartAboutTheToolsAxis) {
   }
 }
 
-}  // namespace
+}  // namespace tracking_error_test
 }  // namespace armtune::internal

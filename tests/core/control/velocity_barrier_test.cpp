@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace velocity_barrier_test {
 
 using test::random_vector;
 
@@ -154,5 +154,5 @@ TEST(VelocityBarrier, WithoutGainAddsWhatBypassesTheReferenceAsItIs) {
   });
 }
 
-}  // namespace
+}  // namespace velocity_barrier_test
 }  // namespace armtune::internal

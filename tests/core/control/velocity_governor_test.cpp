@@ -10,7 +10,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace velocity_governor_test {
 
 using test::derivative;
 using test::random_vector;
@@ -184,5 +184,5 @@ TEST(ShortestDuration, LetsTheQuinticsFastestJointJustReachItsBoundInSpeedOrInAc
   EXPECT_GT(by_acceleration, 20);
 }
 
-}  // namespace
+}  // namespace velocity_governor_test
 }  // namespace armtune::internal

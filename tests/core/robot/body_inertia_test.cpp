@@ -7,7 +7,7 @@
 #include "core/robot/robot_model.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace body_inertia_test {
 
 const Vec3 kCenter(0.1, -0.2, 0.3);
 
@@ -86,5 +86,5 @@ TEST(BodyInertia, NoOtherPossibleOneIsNearer) {
   EXPECT_GT(impossible, 20);
 }
 
-}  // namespace
+}  // namespace body_inertia_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace dynamics_test {
 
 using test::derivative;
 using test::WorstError;
@@ -207,5 +207,5 @@ TEST(InverseDynamics, PowerOfAFrictionlessArmIsTheRateOfItsEnergy) {
   }
 }
 
-}  // namespace
+}  // namespace dynamics_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace forward_dynamics_test {
 
 using test::WorstError;
 
@@ -76,5 +76,5 @@ TEST(ForwardDynamics, NeedsNothingButBodyPosesAndKeepsNothing) {
   EXPECT_EQ(qdd, fresh);
 }
 
-}  // namespace
+}  // namespace forward_dynamics_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace friction_step_test {
 
 using test::WorstError;
 
@@ -206,5 +206,5 @@ TEST(FrictionStep, IsStableForTheSecantOfFastJointsNotForTheirSlope) {
   }
 }
 
-}  // namespace
+}  // namespace friction_step_test
 }  // namespace armtune::internal

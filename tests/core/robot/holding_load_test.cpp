@@ -7,7 +7,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace holding_load_test {
 
 /// Potential energy of the arm's links [J].
 double energy(const Chain& chain, const JointVector& q) {
@@ -42,5 +42,5 @@ TEST(HoldingLoad, IsTheLargestShareOfAnEffortLimitThatTheSlopeOfTheEnergyTakes) 
   }
 }
 
-}  // namespace
+}  // namespace holding_load_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace inverse_dynamics_derivatives_test {
 
 using test::WorstError;
 
@@ -118,5 +118,5 @@ TEST(Dual, CarriesTheDerivativesOfEveryOperation) {
   EXPECT_NEAR(dual.slope[1], test::derivative([&](double h) { return f(x, y + h); }), 1e-11);
 }
 
-}  // namespace
+}  // namespace inverse_dynamics_derivatives_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace kinematics_test {
 
 using test::derivative;
 using test::WorstError;
@@ -152,5 +152,5 @@ TEST(ToolJacobianDerivative, GivesTheToolsAccelerationTogetherWithTheJacobian) {
   }
 }
 
-}  // namespace
+}  // namespace kinematics_test
 }  // namespace armtune::internal

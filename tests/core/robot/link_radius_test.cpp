@@ -9,7 +9,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace link_radius_test {
 
 Shape shape(int body, bool collision, ShapeKind kind, const Vec3& size) {
   Shape made;
@@ -58,5 +58,5 @@ TEST(LinkRadius, OfAnArmWithoutItIsAskedForByName) {
                                         testing::Not(testing::HasSubstr(arm.joints[3].link))));
 }
 
-}  // namespace
+}  // namespace link_radius_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/core/support/urdfdom_errors.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace mutated_urdf_test {
 
 /// One to three faults of the kinds that editors, scripts and transfers make.
 class Mutator {
@@ -114,5 +114,5 @@ TEST_F(MutatedUrdf, TenThousandAreRefusedOrSound) {
   EXPECT_LT(accepted, kAll - kAll / 4);
 }
 
-}  // namespace
+}  // namespace mutated_urdf_test
 }  // namespace armtune::internal

@@ -18,7 +18,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace packs_test {
 
 using test::random_vector;
 
@@ -215,5 +215,5 @@ TEST(Packs, MasksHoldSomewhereEverywhereOrNowhere) {
   EXPECT_EQ(abs(x)[2], 1.0);
 }
 
-}  // namespace
+}  // namespace packs_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace physical_theta_test {
 
 using test::random_number;
 using test::random_vec3;
@@ -243,5 +243,5 @@ TEST(ProjectToPhysical, AllocatesNothing) {
   EXPECT_EQ(test::allocations(), before);
 }
 
-}  // namespace
+}  // namespace physical_theta_test
 }  // namespace armtune::internal

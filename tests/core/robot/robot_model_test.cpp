@@ -15,7 +15,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace robot_model_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -235,5 +235,5 @@ TEST(Validate, RefusesNamesThatWouldBreakACsvHeader) {
   EXPECT_THAT(refusal_of([](RobotModel& m) { m.name = ""; }), HasSubstr("empty name"));
 }
 
-}  // namespace
+}  // namespace robot_model_test
 }  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace rotor_estimate_test {
 
 struct Published {
   const char* joint;
@@ -56,5 +56,5 @@ TEST(RotorEstimate, WhatIsGivenStays) {
   EXPECT_GT(arm.chain.rotor_inertia[2], 0.0);
 }
 
-}  // namespace
+}  // namespace rotor_estimate_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace slotine_li_test {
 
 using test::derivative;
 using test::WorstError;
@@ -203,5 +203,5 @@ TEST(SlotineLiTorque, TakesFrictionFromTheMeasuredVelocityNotTheReference) {
   }
 }
 
-}  // namespace
+}  // namespace slotine_li_test
 }  // namespace armtune::internal

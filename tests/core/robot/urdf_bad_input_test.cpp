@@ -3,7 +3,7 @@
 #include "tests/core/support/urdf_text.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace urdf_bad_input_test {
 
 using test::joint;
 using test::kInertial;
@@ -52,7 +52,7 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
   const std::vector<Refused> table = {
       {"no inertial", robot(one_joint("")), {"link 'b'", "mass is 0 kg"}},
       {"zero mass", robot(one_joint(zero_mass("0", ones))), {"link 'b'", "mass is 0 kg"}},
-      {"negative mass", robot(one_joint(zero_mass("-2", ones))), {"link 'b'", "mass is -2 kg"}},
+      {"negative mass", robot(one_joint(zero_mass("-2", ones))), {"b (mass -2 kg)", "--sidecar"}},
       {"a planet's mass",
        robot(one_joint(zero_mass("3.6e41", ones))),
        {"link 'b'", "mass is 3.6e+41 kg", "at most 1000000 kg"}},
@@ -78,10 +78,13 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
        {"joint 'j'", "1e+300 m"}},
       {"negative inertia",
        robot(one_joint(zero_mass("1", "ixx='-1' iyy='1' izz='1'"))),
-       {"link 'b'", "-1 kg m^2"}},
+       {"b (moment -1 kg m^2)", "--sidecar"}},
       {"triangle",
        robot(one_joint(zero_mass("1", "ixx='1' iyy='1' izz='3'"))),
-       {"b (1, 1, 3)", "triangle", "--sidecar"}},
+       {"b (principal moments 1, 1, 3 kg m^2)", "triangle", "--sidecar"}},
+      {"no inertia about the axis",
+       robot(one_joint(zero_mass("1", "ixx='1' iyy='1' izz='0'"))),
+       {"b (no inertia about the axis of its joint)", "--sidecar"}},
       {"zero axis", robot(one_joint(kInertial, "<axis xyz='0 0 0'/>" + kLimit)), {"joint 'j'", "'0 0 0'"}},
       {"NaN axis", robot(one_joint(kInertial, "<axis xyz='0 nan 0'/>" + kLimit)), {"joint [j]", "nan"}},
       {"NaN origin",
@@ -176,7 +179,7 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
       {"entity bomb", "<!DOCTYPE r [<!ENTITY a 'aaaa'><!ENTITY b '&a;&a;'>]><robot name='r'/>", {":1:"}},
       {"xacro element",
        "<robot name='r'>\n<xacro:include filename='x'/></robot>",
-       {":2:", "<xacro:include>", "xacro FILE.urdf.xacro > FILE.urdf", "ros2 run xacro xacro"}},
+       {":2:", "<xacro:include>", "arm.urdf > arm_expanded.urdf", "ros2 run xacro xacro"}},
       {"xacro value",
        robot(one_joint("<inertial><mass value='${m}'/></inertial>")),
        {":3:", "${m}", "xacro"}},
@@ -187,6 +190,18 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
     for (const std::string& part : row.says) ASSERT_THAT(message, HasSubstr(part)) << row.what;
     ASSERT_LT(message.size(), 3000U) << row.what;
     ASSERT_THAT(message, testing::Not(HasSubstr("\n"))) << row.what;
+  }
+}
+
+TEST_F(UrdfBadInput, XacroIsRefusedWithTheCommandThatExpandsThisFile) {
+  for (const auto& [name, expanded] :
+       {std::pair("arm.urdf.xacro", "arm.urdf"), std::pair("arm.xacro", "arm.urdf"),
+        std::pair("arm.urdf", "arm_expanded.urdf"), std::pair("my arm.xacro", "'my arm.urdf'")}) {
+    std::string path = folder_ + "/" + name;
+    std::ofstream(path) << "<robot name='r'><xacro:include filename='x'/></robot>";
+    const std::string message = refusal_of_file(path);
+    if (path.find(' ') != std::string::npos) path = "'" + path + "'";
+    EXPECT_THAT(message, HasSubstr(fmt::format("first: xacro {} > {} (", path, expanded)));
   }
 }
 
@@ -239,5 +254,5 @@ TEST_F(UrdfBadInput, AsManyFixedLinksAsAllowedAreMergedWithoutRecursion) {
   EXPECT_EQ(read(robot(text)).chain.link[0].mass, 9'999.0);
 }
 
-}  // namespace
+}  // namespace urdf_bad_input_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/urdf_text.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace urdf_geometry_test {
 
 using test::joint;
 using test::kInertial;
@@ -275,5 +275,5 @@ TEST_F(UrdfGeometry, MergingFixedLinksConservesMassCentreAndInertia) {
   }
 }
 
-}  // namespace
+}  // namespace urdf_geometry_test
 }  // namespace armtune::internal

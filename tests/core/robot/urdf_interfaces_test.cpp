@@ -3,7 +3,7 @@
 #include "tests/core/support/urdf_text.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace urdf_interfaces_test {
 
 using testing::ElementsAre;
 
@@ -61,5 +61,5 @@ TEST_F(UrdfInterfaces, Ros2ControlSaysWhatCanBeCommandedAndRead) {
   EXPECT_TRUE(read(test::robot(test::one_joint())).joints[0].interfaces.command.empty());
 }
 
-}  // namespace
+}  // namespace urdf_interfaces_test
 }  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tests/core/support/urdf_text.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace urdf_missing_data_test {
 
 using test::joint;
 using test::link;
@@ -78,5 +78,5 @@ TEST_F(UrdfMissingData, LimitsThatAreNotThereAreMissingAndNotWrong) {
   EXPECT_EQ(arm.joints[2].limits.effort, 6.0);
 }
 
-}  // namespace
+}  // namespace urdf_missing_data_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/urdf_text.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace urdf_reader_test {
 
 using test::joint;
 using test::kInertial;
@@ -135,5 +135,5 @@ TEST_F(UrdfReader, ThreadsReadGoodAndBadFilesAtTheSameTime) {
   EXPECT_THAT(refused, testing::Each(20));
 }
 
-}  // namespace
+}  // namespace urdf_reader_test
 }  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include "tests/core/support/urdf_text.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace urdf_rotors_test {
 
 using test::joint;
 using test::link;
@@ -85,5 +85,5 @@ TEST_F(ArmWithTransmissions, HasTheRotorsOfItsJoints) {
   EXPECT_EQ(read(robot(one_joint())).chain.rotor_inertia[0], 0.0);
 }
 
-}  // namespace
+}  // namespace urdf_rotors_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/urdf_text.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace urdf_selection_test {
 
 using test::joint;
 using test::link;
@@ -339,5 +339,5 @@ TEST_F(UrdfSelection, ATipLinkThatATreeDoesNotHaveIsNamedFirst) {
   EXPECT_THAT(refusal(tree), HasSubstr("name the tip_link"));
 }
 
-}  // namespace
+}  // namespace urdf_selection_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tests/core/support/urdf_text.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace urdf_shapes_test {
 
 using test::joint;
 using test::kInertial;
@@ -119,5 +119,5 @@ TEST_F(UrdfShapes, ThatHaveNoExtentAreLeftOutAndTheArmIsReadAllTheSame) {
   EXPECT_THAT(model.shapes, testing::IsEmpty());
 }
 
-}  // namespace
+}  // namespace urdf_shapes_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace urdf_writer_test {
 
 using test::WorstError;
 
@@ -116,5 +116,5 @@ TEST(UrdfWriter, ALinkWithoutMassIsWrittenWithFiniteNumbers) {
   EXPECT_EQ(urdf_text(arm).find("nan"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace urdf_writer_test
 }  // namespace armtune::internal

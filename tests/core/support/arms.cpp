@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_reader.hpp"
 
 namespace armtune::internal::test {
@@ -61,6 +62,12 @@ RobotModel ur10() {
   model.chain.rotor_inertia.setConstant(0.1);
   validate(model);
   return model;
+}
+
+void fit_rotors(RobotModel& arm) {
+  arm.chain.rotor_inertia.setZero();
+  estimate_rotors(arm);
+  arm.estimated_rotors.clear();
 }
 
 RobotModel seven_joint_arm() {

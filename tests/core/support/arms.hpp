@@ -10,6 +10,9 @@ namespace armtune::internal::test {
 /// The bundled UR10 with a tool 0.14 m along z of `tool0` and rotor inertia 0.1 kg m^2 on every joint.
 RobotModel ur10();
 
+/// Gives every joint the rotor inertia that its limits suggest, so that none is doubtful.
+void fit_rotors(RobotModel& arm);
+
 /// Seven revolute joints, measured roughly like a KUKA LBR iiwa 14, with full inertia tensors.
 RobotModel seven_joint_arm();
 

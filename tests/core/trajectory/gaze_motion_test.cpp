@@ -9,7 +9,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gaze_motion_test {
 
 using test::derivative;
 using test::random_vec3;
@@ -179,5 +179,5 @@ TEST(GazeTurnMotion, StraightBehindIsAHalfTurnAboutXAtRest) {
   EXPECT_EQ(phi.acceleration, Vec3(0.0, 0.0, 0.0));
 }
 
-}  // namespace
+}  // namespace gaze_motion_test
 }  // namespace armtune::internal

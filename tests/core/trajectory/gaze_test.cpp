@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gaze_test {
 
 using test::derivative;
 using test::random_vec3;
@@ -94,5 +94,5 @@ TEST(GazeLineRate, IsTheTurnRateOfTheUnitLineWithoutRoll) {
   }
 }
 
-}  // namespace
+}  // namespace gaze_test
 }  // namespace armtune::internal

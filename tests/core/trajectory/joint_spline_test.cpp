@@ -7,11 +7,12 @@
 
 #include "armtune/error.hpp"
 #include "core/trajectory/linear_acceleration.hpp"
+#include "tests/core/support/refused_at.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace joint_spline_test {
 
 using test::derivative;
 using test::random_number;
@@ -113,22 +114,20 @@ TEST(JointSpline, TheMeanAccelerationHeldForAPeriodTakesTheVelocityToItsEnd) {
                  spline.at(spline.end() - 1e-3).acceleration, "last", 1.0);
 }
 
-std::string refusal(const std::vector<double>& time, std::size_t knots) {
+InputError refusal(const std::vector<double>& time, std::size_t knots) {
   const JointVector zero = JointVector::Zero(2);
-  try {
+  return test::input_error([&] {
     JointSpline(time, std::vector<MotionPoint<JointVector>>(knots, {zero, zero, zero}));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was refused";
+  });
 }
 
 TEST(JointSpline, RefusesWhatIsNoMotion) {
-  EXPECT_THAT(refusal({1.0}, 1), testing::HasSubstr("at least two"));
-  EXPECT_THAT(refusal({1.0, 2.0}, 3), testing::HasSubstr("2 times and 3 knots"));
-  EXPECT_THAT(refusal({1.0, 2.0, 2.0}, 3), testing::HasSubstr("knot 2"));
-  EXPECT_EQ(refusal({1.0, 2.0, 2.5}, 3), "nothing was refused");
+  const std::string limit = "as many times as knots, at least 2";
+  EXPECT_THAT(refusal({1.0}, 1), test::refused_at({.value = "1", .limit = limit}));
+  EXPECT_THAT(refusal({1.0, 2.0}, 3), test::refused_at({.value = "2", .limit = limit}));
+  EXPECT_THAT(refusal({1.0, 2.0, 2.0}, 3), test::refused_at({.value = "2", .limit = "above 2"}));
+  EXPECT_STREQ(refusal({1.0, 2.0, 2.5}, 3).what(), "nothing was refused");
 }
 
-}  // namespace
+}  // namespace joint_spline_test
 }  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace motion_filter_test {
 
 using test::WorstError;
 
@@ -60,5 +60,5 @@ TEST(MotionFilter, LetsAsMuchNoiseThroughAsTheTextbookSays) {
   }
 }
 
-}  // namespace
+}  // namespace motion_filter_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace path_test {
 
 using test::derivative;
 using test::random_number;
@@ -129,5 +129,5 @@ TEST(Path, WithoutTermsIsItsCentre) {
   EXPECT_TRUE(path.at(7.0).velocity.isZero(0.0));
 }
 
-}  // namespace
+}  // namespace path_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace position_spline_test {
 
 using test::derivative;
 using test::random_number;
@@ -210,5 +210,5 @@ TEST(PathOfKnots, IsItsSplineAboutItsCentre) {
               1e-15);
 }
 
-}  // namespace
+}  // namespace position_spline_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace quintic_test {
 
 using test::derivative;
 using test::random_number;
@@ -92,5 +92,5 @@ TEST(RestToRest, RisesMonotonicallyAndIsSymmetricAboutItsMiddle) {
   EXPECT_NEAR(s.at(0.5).position, 0.2 + 0.8 * 53.0 / 512.0, 1e-15);
 }
 
-}  // namespace
+}  // namespace quintic_test
 }  // namespace armtune::internal

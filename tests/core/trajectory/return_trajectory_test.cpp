@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace return_trajectory_test {
 
 using test::random_vec3;
 using test::WorstError;
@@ -63,5 +63,5 @@ TEST(ReturnTrajectory, LeavesWithTheToolsMotionAndJoinsThePathsOwn) {
   }
 }
 
-}  // namespace
+}  // namespace return_trajectory_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace ros_segments_test {
 
 using test::derivative;
 using test::random_number;
@@ -159,5 +159,5 @@ TEST(JointSpline, AlongRosSegmentsItEndsAsItsLastPointSays) {
   }
 }
 
-}  // namespace
+}  // namespace ros_segments_test
 }  // namespace armtune::internal

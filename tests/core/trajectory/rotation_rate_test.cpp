@@ -9,7 +9,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace rotation_rate_test {
 
 using test::derivative;
 using test::random_vec3;
@@ -104,5 +104,5 @@ TEST(RotationRate, AboutAStandingAxisIsTheRotationVectorsOwn) {
   }
 }
 
-}  // namespace
+}  // namespace rotation_rate_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace rotation_test {
 
 using test::WorstError;
 
@@ -82,5 +82,5 @@ TEST(RotationVector, TheNearestTurnsAsTheShortestDoes) {
   EXPECT_TRUE(nearest_rotation_vector(Vec3::Zero(), Vec3::Zero()).isZero(0.0));
 }
 
-}  // namespace
+}  // namespace rotation_test
 }  // namespace armtune::internal

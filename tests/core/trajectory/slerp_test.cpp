@@ -9,7 +9,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace slerp_test {
 
 using test::derivative;
 using test::WorstError;
@@ -139,5 +139,5 @@ TEST(SlerpToAMovingGoal, IsThePlainOneWhileTheGoalStands) {
   }
 }
 
-}  // namespace
+}  // namespace slerp_test
 }  // namespace armtune::internal

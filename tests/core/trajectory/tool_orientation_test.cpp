@@ -11,7 +11,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace tool_orientation_test {
 
 using test::derivative;
 using test::random_vec3;
@@ -160,5 +160,5 @@ TEST(ToolOrientation, GoesOnTheShorterWayFromWaypointToWaypoint) {
   }
 }
 
-}  // namespace
+}  // namespace tool_orientation_test
 }  // namespace armtune::internal

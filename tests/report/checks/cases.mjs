@@ -57,7 +57,7 @@ function casesOf(data) {
   const other = { ...arm, name: "another arm", undrawn: 2, joints: arm.joints.map((joint) => ({ ...joint, name: `other ${joint.name}` })) };
   const row = { metric: "some/metric", unit: "m", words: "a metric in words", meaning: "", values: [2, 1], better: "lower" };
   const table = { scenario: "both", rows: [row, { ...row, better: "higher" }], status: ["completed", "diverged"], reason: ["", REASON] };
-  const point = (values, role) => ({ values, label: "a point", feasible: true, role });
+  const point = (values, role) => ({ values, label: role === "start" ? "start" : "a point", feasible: true, role });
   return {
     end,
     joint: arm.joints[0].name,

@@ -12,7 +12,7 @@
 #include "tests/sim/cell/rods.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace arm_solids_test {
 
 using testing::ElementsAre;
 
@@ -119,5 +119,5 @@ TEST(ArmSolids, TheToolsOfBundledArmsCount) {
   }
 }
 
-}  // namespace
+}  // namespace arm_solids_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/cell/busy_cell.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace clearance_model_test {
 
 using testing::ElementsAre;
 
@@ -206,5 +206,5 @@ TEST(ClearanceModel, TheFloorIsAcrossGravityWhereverTheBaseIs) {
   }
 }
 
-}  // namespace
+}  // namespace clearance_model_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/cell/busy_cell.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace clearance_watch_test {
 
 using test::part;
 using test::random_number;
@@ -167,5 +167,5 @@ TEST(ClearanceWatch, ASlideBeyondItsLimitsIsLookedAtEveryTime) {
   EXPECT_EQ(watch.computed(), 3 * static_cast<long>(model->pairs().size())) << "when it comes back, too";
 }
 
-}  // namespace
+}  // namespace clearance_watch_test
 }  // namespace armtune::internal

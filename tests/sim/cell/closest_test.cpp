@@ -11,7 +11,7 @@
 #include "tests/sim/cell/extreme_point.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace closest_test {
 
 using test::random_number;
 using test::random_vec3;
@@ -275,5 +275,5 @@ TEST(ConvexHull, OfPointsInAPlaneThereIsNone) {
   EXPECT_FALSE(convex_hull(points));
 }
 
-}  // namespace
+}  // namespace closest_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace mesh_path_test {
 
 namespace fs = std::filesystem;
 
@@ -95,5 +95,5 @@ TEST_F(MeshPath, LeavesItWhereThatIsAllowed) {
   EXPECT_TRUE(refuses("file://" + secret_));
 }
 
-}  // namespace
+}  // namespace mesh_path_test
 }  // namespace armtune::internal

@@ -5,18 +5,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/joint_trajectory_file.hpp"
+#include "sim/controller_files/parameter_file.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/without_numbers.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_file_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -50,7 +53,7 @@ TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
               j1),
       AllOf(HasSubstr("f.yaml:3:"), HasSubstr("open_loop_control")));
   EXPECT_THAT(refused(with_j1("p: 1.0, i: 2.0"), j1), AllOf(HasSubstr("f.yaml:6:"), HasSubstr("no i_clamp")));
-  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp_max: 2.0, i_clamp_min: -1.0"), j1), HasSubstr("[-1, 2]"));
+  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp_max: 2.0, i_clamp_min: 0.0"), j1), HasSubstr("[0, 2]"));
   EXPECT_THAT(refused(with_j1("p: 1.0, u_clamp_max: -2.0"), j1),
               HasSubstr("output of j1 is clamped to [-inf, -2]"));
   EXPECT_THAT(refused(with_j1("p: 1.0, antiwindup_strategy: nothing"), j1),
@@ -126,6 +129,68 @@ TEST(ControllerFile, LimitsOfTheOutputAndStrategiesOfAntiWindupAreRead) {
   EXPECT_EQ(own(none, "jtc_velocity_u_clamp_max")[0], 1e6);
   EXPECT_EQ(own(none, "jtc_velocity_u_clamp_min")[0], 1e6);
   EXPECT_EQ(own(none, "jtc_velocity_error_deadband")[0], 0.0);
+}
+
+TEST(ControllerFile, BoundsOfTheIntegralMayDiffer) {
+  const std::vector<std::string> j1 = {"j1"};
+  const std::string text = with_j1("p: 1.0, i: 1.0, i_clamp_max: 2.0, i_clamp_min: -1.0");
+  const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
+  Gains gains = joint_trajectory_gains(controller, "f.yaml", j1);
+  EXPECT_EQ(own(gains, "jtc_i_clamp")[0], 2.0);
+  EXPECT_EQ(jtc_lower_i_clamp(gains, 0), 1.0);
+  EXPECT_EQ(with_gains(text, controller, "f.yaml", gains, j1), text);
+  own(gains, "jtc_i_clamp")[0] = 3.0;
+  own(gains, "jtc_i_clamp_min")[0] = 1.5;
+  EXPECT_THAT(with_gains(text, controller, "f.yaml", gains, j1),
+              HasSubstr("i_clamp_max: 3.0, i_clamp_min: -1.5"));
+}
+
+/// The gains of j1 in a text, by the rules of a distribution if one is given.
+Gains under(const std::string& text, std::optional<RosDistro> distro) {
+  ParameterFile file{"f.yaml", text, chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml")};
+  if (distro) set_distro(file, *distro);
+  return joint_trajectory_gains(file.controller, "f.yaml", {"j1"});
+}
+
+TEST(ControllerFile, IsReadByTheRulesOfItsDistribution) {
+  const std::string ros1 =
+      "c:\n  type: effort_controllers/JointTrajectoryController\n  gains: {j1: {p: 1.0, antiwindup: true}}\n";
+  EXPECT_EQ(jtc_distro(under(with_j1("p: 1.0"), {})), RosDistro::kJazzy);
+  EXPECT_EQ(jtc_distro(under(ros1, {})), RosDistro::kNoetic);
+  const std::string text = with_j1(
+      "p: 1.0, i: 2.0, i_clamp: 4.0, i_clamp_max: 5.0, i_clamp_min: -3.0, u_clamp_max: 7.0, "
+      "antiwindup_strategy: none, error_deadband: 0.1, normalize_error: true");
+  const Gains humble = under(text, RosDistro::kHumble);
+  EXPECT_EQ(jtc_distro(humble), RosDistro::kHumble);
+  EXPECT_EQ(own(humble, "jtc_antiwindup")[0], 0.0) << "the contribution alone is clamped";
+  EXPECT_EQ(own(humble, "jtc_i_clamp")[0], 4.0) << "Humble has no i_clamp_max";
+  EXPECT_EQ(jtc_lower_i_clamp(humble, 0), 4.0);
+  EXPECT_EQ(own(humble, "jtc_u_clamp_max")[0], 1e6);
+  EXPECT_EQ(own(humble, "jtc_error_deadband")[0], 0.0);
+  EXPECT_EQ(own(humble, "jtc_angle_wraparound")[0], 1.0);
+  const Gains jazzy = under(text, RosDistro::kJazzy);
+  EXPECT_EQ(jazzy.own, under(text, {}).own);
+  EXPECT_EQ(own(jazzy, "jtc_i_clamp")[0], 5.0);
+  EXPECT_EQ(own(jazzy, "jtc_angle_wraparound")[0], 0.0) << "Jazzy has no normalize_error";
+  EXPECT_EQ(
+      own(under(with_j1("p: 1.0, angle_wraparound: true"), RosDistro::kHumble), "jtc_angle_wraparound")[0],
+      1.0);
+}
+
+TEST(ControllerFile, AMissingClampIsWhatTheDistributionMakesOfIt) {
+  const std::string text = with_j1("p: 1.0, i: 2.0");
+  EXPECT_EQ(own(under(text, RosDistro::kJazzy), "jtc_i_clamp")[0], 1e6);
+  EXPECT_THAT(test::refusal([&] { under(text, RosDistro::kHumble); }),
+              AllOf(HasSubstr("f.yaml:6:"), HasSubstr("no i_clamp"), HasSubstr("ROS 2 Humble")));
+  EXPECT_THAT(refused(text, {"j1"}), HasSubstr("--distro jazzy"));
+}
+
+TEST(ControllerFile, ADistributionOfTheOtherRosIsRefused) {
+  EXPECT_THAT(test::refusal([] { under(with_j1("p: 1.0"), RosDistro::kNoetic); }),
+              AllOf(HasSubstr("f.yaml"), HasSubstr("ROS 1 Noetic")));
+  const std::string ros1 =
+      "c:\n  type: effort_controllers/JointTrajectoryController\n  gains: {j1: {p: 1.0}}\n";
+  EXPECT_THAT(test::refusal([&] { under(ros1, RosDistro::kHumble); }), HasSubstr("ROS 2 Humble"));
 }
 
 // Node names may come several times, as in Franka's fr3_ros_controllers.yaml, which ROS 2 reads.
@@ -297,5 +362,5 @@ TEST(ControllerFile, AliasesOfAliasesCostNothing) {
               HasSubstr("more than 200000 values"));
 }
 
-}  // namespace
+}  // namespace controller_file_test
 }  // namespace armtune::internal

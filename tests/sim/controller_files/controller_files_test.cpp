@@ -16,7 +16,7 @@
 #include "tests/sim/support/without_numbers.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_files_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -52,5 +52,5 @@ TEST_P(ControllerFiles, AreReadAndGetNothingButOtherNumbers) {
 INSTANTIATE_TEST_SUITE_P(Styles, ControllerFiles, testing::ValuesIn(test::kStyles),
                          [](const auto& style) { return style.param.name; });
 
-}  // namespace
+}  // namespace controller_files_test
 }  // namespace armtune::internal

@@ -18,7 +18,7 @@
 #include "tests/sim/support/without_numbers.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gain_map_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -182,5 +182,5 @@ TEST(GainMap, DoesNotWriteADecimalForAnInteger) {
               AllOf(HasSubstr("own.yaml:1"), HasSubstr("300.0")));
 }
 
-}  // namespace
+}  // namespace gain_map_test
 }  // namespace armtune::internal

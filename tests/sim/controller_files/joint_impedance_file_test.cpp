@@ -18,7 +18,7 @@
 #include "tests/sim/support/without_numbers.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace joint_impedance_file_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -128,5 +128,5 @@ TEST(JointImpedanceFile, ATrajectoryControllerOfTheFileComesFirst) {
   EXPECT_TRUE(may_hold_controllers(ros1()));
 }
 
-}  // namespace
+}  // namespace joint_impedance_file_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/sim/support/read_back.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace cell_test {
 
 TEST(Cell, ANumberReadsBackToTheSameBitsAndNoValueIsEmpty) {
   std::mt19937_64 generator(3);
@@ -49,5 +49,5 @@ TEST(Cell, IsNoFormulaToASpreadsheet) {
   EXPECT_EQ(cell(-1.0), "-1") << "numbers stay numbers";
 }
 
-}  // namespace
+}  // namespace cell_test
 }  // namespace armtune::internal

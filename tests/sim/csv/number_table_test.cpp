@@ -11,10 +11,10 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace number_table_test {
 
+using test::refused_at;
 using test::TemporaryFolder;
-using testing::HasSubstr;
 
 bool all(std::string_view) {
   return true;
@@ -40,7 +40,7 @@ TEST(NumberTable, HasTheNumbersOfTheWholeFileAcrossItsBlocks) {
   const NumberTable some = NumberTable::read(path, [](std::string_view name) { return name == "c"; });
   EXPECT_EQ(some.header(), std::vector<std::string>{"c"});
   EXPECT_EQ(some.numbers(0), table.numbers(2));
-  EXPECT_THAT(test::refusal([&] { some.column("time"); }), HasSubstr("long.csv"));
+  EXPECT_THAT([&] { some.column("time"); }, refused_at({.file = path, .key = "time"}));
 }
 
 TEST(NumberTable, LeavesOutARowThatWasBeingWritten) {
@@ -52,17 +52,21 @@ TEST(NumberTable, LeavesOutARowThatWasBeingWritten) {
 
 TEST(NumberTable, RefusesWithTheLine) {
   const TemporaryFolder folder;
+  const std::string path = folder / "a.csv";
   const auto refusal = [&](const std::string& text) {
-    const std::string path = folder.write("a.csv", text);
-    return test::refusal([&] { NumberTable::read(path, all); });
+    folder.write("a.csv", text);
+    return test::input_error([&] { NumberTable::read(path, all); });
   };
-  EXPECT_THAT(refusal("a,b\n1,2\n1,x\n"), testing::AllOf(HasSubstr("a.csv:3"), HasSubstr("b")));
-  EXPECT_THAT(refusal("a,b\n1,2\n1\n"), HasSubstr("a.csv:3"));
-  EXPECT_THAT(refusal("a,a\n1,2\n"), HasSubstr("a.csv:1"));
-  EXPECT_THAT(refusal(""), HasSubstr("a.csv"));
-  EXPECT_THAT(refusal("a,b\n1," + std::string(20 << 20, '1')), HasSubstr("a.csv:2"));
-  EXPECT_THAT(test::refusal([&] { NumberTable::read(folder / "none.csv", all); }), HasSubstr("none.csv"));
+  EXPECT_THAT(refusal("a,b\n1,2\n1,x\n"),
+              refused_at({.file = path, .line = 3, .key = "b", .value = "x", .limit = "a number"}));
+  EXPECT_THAT(refusal("a,b\n1,2\n1\n"), refused_at({.line = 3, .value = "1", .limit = "2 cells"}));
+  EXPECT_THAT(refusal("a,a\n1,2\n"), refused_at({.line = 1, .key = "a"}));
+  EXPECT_THAT(refusal(""), refused_at({.file = path, .line = 0}));
+  EXPECT_THAT(refusal("a,b\n1," + std::string(20 << 20, '1')),
+              refused_at({.line = 2, .limit = "at most 16 MB"}));
+  EXPECT_THAT([&] { NumberTable::read(folder / "none.csv", all); },
+              refused_at({.file = folder / "none.csv"}));
 }
 
-}  // namespace
+}  // namespace number_table_test
 }  // namespace armtune::internal

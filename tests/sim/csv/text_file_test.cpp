@@ -12,7 +12,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace text_file_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -32,7 +32,7 @@ TEST(TextFile, AFailureLeavesTheOldFileWhole) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("a.csv", "old\n");
   fs::create_directory(partial_path(path));  // stands where the new file would be written
-  EXPECT_THAT(test::refusal([&] { write_text_file(path, "new\n"); }), HasSubstr(path));
+  EXPECT_THAT([&] { write_text_file(path, "new\n"); }, test::refused_at({.file = partial_path(path)}));
   EXPECT_EQ(test::read_text(path), "old\n");
 }
 
@@ -53,7 +53,7 @@ TEST(TextFile, AFolderInTheWayStaysAndIsNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder / "a.csv";
   fs::create_directory(path);
-  EXPECT_THAT(test::refusal([&] { write_text_file(path, "new\n"); }), HasSubstr(path));
+  EXPECT_THAT([&] { write_text_file(path, "new\n"); }, test::refused_at({.file = path}));
   EXPECT_TRUE(fs::is_directory(path));
   EXPECT_FALSE(fs::exists(partial_path(path))) << "what could not be put in place is taken away";
 }
@@ -64,8 +64,8 @@ TEST(TextFile, AUsersOwnFileIsNeitherReplacedNorTakenForArmtunes) {
   const std::string beside = folder.write("b.csv.partial", "mine too\n");
   fs::create_symlink(folder / "nowhere", folder / "link.csv");
   for (const std::string& taken : {path, folder / "link.csv"}) {
-    EXPECT_THAT(test::refusal([&] { write_new_text_file(taken, "new\n"); }), HasSubstr(taken));
-    EXPECT_THAT(test::refusal([&] { refuse_existing(taken); }), HasSubstr(taken));
+    EXPECT_THAT([&] { write_new_text_file(taken, "new\n"); }, test::refused_at({.file = taken}));
+    EXPECT_THAT([&] { refuse_existing(taken); }, test::refused_at({.file = taken}));
   }
   EXPECT_EQ(test::read_text(path), "mine\n");
   write_new_text_file(folder / "b.csv", "new\n");
@@ -79,7 +79,7 @@ TEST(TextFile, AFolderThatMayNotBeWrittenToIsNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("a.csv", "old\n");
   fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
-  EXPECT_THAT(test::refusal([&] { write_text_file(path, "new\n"); }), HasSubstr(path));
+  EXPECT_THAT([&] { write_text_file(path, "new\n"); }, test::refused_at({.file = path}));
   fs::permissions(folder.path(), fs::perms::owner_all);
   EXPECT_EQ(test::read_text(path), "old\n");
 }
@@ -158,8 +158,8 @@ TEST(MakeFolder, MakesParentsAndTakesOneThatIsThere) {
   EXPECT_TRUE(fs::is_directory(folder / "a/b/c"));
   EXPECT_NO_THROW(make_folder(folder / "a/b"));
   folder.write("file", "");
-  EXPECT_THAT(test::refusal([&] { make_folder(folder / "file"); }), HasSubstr(folder / "file"));
+  EXPECT_THAT([&] { make_folder(folder / "file"); }, test::refused_at({.file = folder / "file"}));
 }
 
-}  // namespace
+}  // namespace text_file_test
 }  // namespace armtune::internal

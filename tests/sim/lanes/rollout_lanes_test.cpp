@@ -12,7 +12,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace rollout_lanes_test {
 
 using test::bits;
 using test::quick_gains;
@@ -272,5 +272,5 @@ TEST(RolloutLanes, StartOnlyWhatIsOfTheirKind) {
   EXPECT_EQ(lanes.busy(), 1);
 }
 
-}  // namespace
+}  // namespace rollout_lanes_test
 }  // namespace armtune::internal

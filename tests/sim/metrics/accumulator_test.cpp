@@ -8,7 +8,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace accumulator_test {
 
 using enum ControlState;
 
@@ -364,5 +364,5 @@ TEST_F(Accumulated, WhatWasNeverJudgedHasNoValue) {
   EXPECT_FALSE(std::isnan(m[Metric::kJointPositionMinMargin]));
 }
 
-}  // namespace
+}  // namespace accumulator_test
 }  // namespace armtune::internal

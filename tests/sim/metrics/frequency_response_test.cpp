@@ -7,7 +7,7 @@
 #include "tests/sim/support/linear_system.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace frequency_response_test {
 
 constexpr double kPeriod = 0.002;
 
@@ -110,5 +110,5 @@ TEST(FrequencyResponse, AGainThatNeverFallsEndsAtTheHighestOrderAndALowOneAtTheL
   EXPECT_TRUE(std::isnan(FrequencyResponse({1, 2}, 1.0).bandwidth()));
 }
 
-}  // namespace
+}  // namespace frequency_response_test
 }  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace armtune::internal {
-namespace {
+namespace goal_watch_test {
 
 JointVector joints(double a, double b) {
   JointVector q(2);
@@ -93,5 +93,5 @@ TEST(GoalWatch, IsEmptyBeforeTheEndAndTheWholeTimeIfItNeverSettles) {
   EXPECT_EQ(of(watch, 4.0)[Metric::kGoalSettlingTime], 1.0);
 }
 
-}  // namespace
+}  // namespace goal_watch_test
 }  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <set>
 
 namespace armtune::internal {
-namespace {
+namespace metric_test {
 
 TEST(Metric, NamesAreUniqueTreesWithoutCommasAndReadBack) {
   std::set<std::string> names;
@@ -51,5 +51,5 @@ TEST(Metric, HasNoValueUntilItGetsOne) {
   EXPECT_EQ(metrics.value[static_cast<std::size_t>(Metric::kGazeRms)], 0.5);
 }
 
-}  // namespace
+}  // namespace metric_test
 }  // namespace armtune::internal

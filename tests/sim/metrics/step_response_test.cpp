@@ -6,7 +6,7 @@
 #include <functional>
 
 namespace armtune::internal {
-namespace {
+namespace step_response_test {
 
 constexpr double kPeriod = 0.002;
 // What the sampling may cost. The chord between two samples is off by h^2/8 |y''| and |y''| <= wn^2; at the
@@ -117,5 +117,5 @@ TEST(StepResponse, WithoutSamplesNothingHasAValue) {
   EXPECT_TRUE(std::isnan(response.steady_state_error()));
 }
 
-}  // namespace
+}  // namespace step_response_test
 }  // namespace armtune::internal

@@ -15,7 +15,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace friction_step_test {
 
 constexpr std::array kStiffSteppers = {Stepper::kMidpoint, Stepper::kSemiImplicitEuler,
                                        Stepper::kRungeKutta4};
@@ -269,5 +269,5 @@ TEST(FrictionStepped, IsTheExplicitRuleToTheBitWhereFrictionIsNotStiff) {
   }
 }
 
-}  // namespace
+}  // namespace friction_step_test
 }  // namespace armtune::internal

@@ -15,7 +15,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace native_plant_test {
 
 using test::WorstError;
 
@@ -107,5 +107,5 @@ TEST(Engine, NamesReadBack) {
   EXPECT_NE(test::refusal([] { engine_from_name("mujoco"); }).find("simbody or native"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace native_plant_test
 }  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace armtune::internal {
-namespace {
+namespace sensors_test {
 
 const JointVector kQ = JointVector::LinSpaced(6, -1.0, 1.0);
 const JointVector kQd = JointVector::LinSpaced(6, 2.0, -2.0);
@@ -82,5 +82,5 @@ TEST(Sensors, ZeroNoiseDrawsNothing) {
   for (int i = 0; i < 6; ++i) EXPECT_EQ(a.qd[i], kQd[i] + 1e-2 * normal(generator));
 }
 
-}  // namespace
+}  // namespace sensors_test
 }  // namespace armtune::internal

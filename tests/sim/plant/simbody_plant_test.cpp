@@ -13,7 +13,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace simbody_plant_test {
 
 class RandomStates {
  public:
@@ -275,5 +275,5 @@ TEST(SimbodyPlant, StartsAnewFromAnyState) {
   }
 }
 
-}  // namespace
+}  // namespace simbody_plant_test
 }  // namespace armtune::internal

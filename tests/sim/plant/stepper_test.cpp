@@ -9,7 +9,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace stepper_test {
 
 /// Error at t = 1 s of the damped oscillator q'' = -w^2 q - 2 d q', which starts at q = 1, q' = 0.
 double error_with_step(Stepper stepper, int steps) {
@@ -54,5 +54,5 @@ TEST(Stepper, AnUnknownNameIsRefusedWithThoseThereAre) {
   }
 }
 
-}  // namespace
+}  // namespace stepper_test
 }  // namespace armtune::internal

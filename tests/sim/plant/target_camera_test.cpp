@@ -5,7 +5,7 @@
 #include "sim/metrics/accumulator.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace target_camera_test {
 
 Scenario two_targets() {
   Scenario scenario;
@@ -68,5 +68,5 @@ TEST(TargetCamera, NoiseFollowsFromTheSeedAlone) {
   EXPECT_NE(after(500), once);
 }
 
-}  // namespace
+}  // namespace target_camera_test
 }  // namespace armtune::internal

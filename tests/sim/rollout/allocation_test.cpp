@@ -10,7 +10,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace allocation_test {
 
 /// Two bundled gain sets of the scenario's arm.
 std::array<const char*, 2> sets_of(const Scenario& scenario) {
@@ -65,5 +65,5 @@ INSTANTIATE_TEST_SUITE_P(Bundled, RolloutAllocation,
                                          "panda_target_switch", "youbot_target_switch"),
                          [](const auto& scenario) { return scenario.param; });
 
-}  // namespace
+}  // namespace allocation_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace cell_rollout_test {
 
 struct Job {
   Scenario scenario;
@@ -115,5 +115,5 @@ TEST(RolloutInACell, ItsRecordingHasTheDistancesOfEveryRow) {
   ASSERT_LT(column("closest/to/z"), columns.size());
 }
 
-}  // namespace
+}  // namespace cell_rollout_test
 }  // namespace armtune::internal

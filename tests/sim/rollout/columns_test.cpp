@@ -11,7 +11,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace columns_test {
 
 using Values = std::map<std::string, double>;
 
@@ -116,5 +116,5 @@ TEST(Columns, APlansAreThoseOfItsJointsWhileItIsFollowed) {
   }
 }
 
-}  // namespace
+}  // namespace columns_test
 }  // namespace armtune::internal

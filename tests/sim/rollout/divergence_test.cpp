@@ -14,7 +14,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace divergence_test {
 
 using test::quick_gains;
 using test::scenario_of;
@@ -133,5 +133,5 @@ TEST(Divergence, NoDampingIsBlamedOfALawWithoutKd) {
   }
 }
 
-}  // namespace
+}  // namespace divergence_test
 }  // namespace armtune::internal

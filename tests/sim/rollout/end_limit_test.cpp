@@ -11,7 +11,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace end_limit_test {
 
 using test::bits;
 using test::quick_gains;
@@ -127,5 +127,5 @@ TEST(EndLimit, ThatIsNeverReachedChangesNothing) {
   EXPECT_EQ(bits(limited.metrics), bits(whole.metrics));
 }
 
-}  // namespace
+}  // namespace end_limit_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace error_report_test {
 
 std::vector<ScenarioResult> two_results() {
   std::mt19937_64 generator(8);
@@ -145,5 +145,5 @@ TEST(ColumnsCsv, ExplainsEveryColumnOfBothFiles) {
   }
 }
 
-}  // namespace
+}  // namespace error_report_test
 }  // namespace armtune::internal

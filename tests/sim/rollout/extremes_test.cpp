@@ -14,7 +14,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace extremes_test {
 
 using test::quick_gains;
 using test::scenario_of;
@@ -146,5 +146,5 @@ INSTANTIATE_TEST_SUITE_P(Each, Extremes,
                                   name(std::get<1>(test.param));
                          });
 
-}  // namespace
+}  // namespace extremes_test
 }  // namespace armtune::internal

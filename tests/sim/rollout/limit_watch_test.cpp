@@ -10,7 +10,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace limit_watch_test {
 
 /// An observation of an arm at rest in the middle of its limits.
 struct Seen {
@@ -184,5 +184,5 @@ TEST(LimitWatch, AgreesWithTheMetrics) {
   }
 }
 
-}  // namespace
+}  // namespace limit_watch_test
 }  // namespace armtune::internal

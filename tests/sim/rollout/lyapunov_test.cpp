@@ -15,7 +15,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace lyapunov_test {
 
 /// Integrals over the periods of one state that follow one another without a saturated torque.
 struct Balance {
@@ -119,5 +119,5 @@ TEST(LyapunovInSimbody, FallsByWhatKdDissipatesUnderTheExtendedLaw) {
   expect_balanced(ControlState::kFollowTrajectory, "extended", 0.005);
 }
 
-}  // namespace
+}  // namespace lyapunov_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace orientation_rollout_test {
 
 /// A figure eight of the UR10 in 10 s with its arm known, or as it is with noise, delay and payload.
 Scenario drawing(const std::string& orientation, const std::string& more = "") {
@@ -131,5 +131,5 @@ TEST(OrientedTool, TheTargetsColumnsAreEmpty) {
   EXPECT_GT(found, 0);
 }
 
-}  // namespace
+}  // namespace orientation_rollout_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace other_arms_test {
 
 constexpr double kDegree = M_PI / 180.0;
 
@@ -115,5 +115,5 @@ TEST(OtherArms, FiveJointsFollowPositionAndGaze) {
   }
 }
 
-}  // namespace
+}  // namespace other_arms_test
 }  // namespace armtune::internal

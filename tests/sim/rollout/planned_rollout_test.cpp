@@ -11,7 +11,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace planned_rollout_test {
 
 using enum ControlState;
 using test::published_gains;
@@ -314,5 +314,5 @@ TEST_F(PlannedRollout, ASwitchInTheFirstPeriodCounts) {
   EXPECT_TRUE(std::isnan(none.metrics[Metric::kReacquisitionTime]));
 }
 
-}  // namespace
+}  // namespace planned_rollout_test
 }  // namespace armtune::internal

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "core/control/laws/controller_kind.hpp"
@@ -13,7 +14,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plant_rate_test {
 
 // Between two control periods the arm must move as a plant that takes the same steps under the same torque.
 TEST(PlantRate, TheArmTakesSeveralStepsUnderTheSameTorque) {
@@ -158,10 +159,68 @@ TEST_F(RampUnderDrives, MetricsSeeTheDrivesBetweenControlPeriods) {
   EXPECT_NEAR(m[Metric::kGoalOvershoot], overshoot, 1e-9);
 }
 
+// The robot's file gives the rate of its drives, the scenario that of the arm: drives at 500 Hz, and six
+// steps of the arm under each of their torques.
+TEST_F(RampUnderDrives, DrivesMayHaveARateOfTheirOwn) {
+  Scenario s = scenario(0.008, 0, 3000.0);
+  s.duration = 1.0;
+  RobotModel robot = *s.robot;
+  robot.drive_rate = 500.0;
+  s.robot = std::make_shared<const RobotModel>(robot);
+  const Gains gains = convert_gains(controller_kind("position_streaming"), test::published_gains(s), *s.robot,
+                                    s.start_position);
+  const auto plant = make_plant(plant_model(s), Stepper::kMidpoint, Engine::kNative);
+  plant->set_state(s.start_position,
+                   s.start_velocity.size() > 0 ? s.start_velocity : JointVector(JointVector::Zero(6)));
+  constexpr double kStep = 0.008 / 24;
+  JointVector torque;
+  int periods = 0;
+  Rollout(s, Stepper::kMidpoint, Engine::kNative).run(gains, [&](const Observation& o) {
+    EXPECT_EQ(o.between.size(), o.time == 0.0 ? 0U : 3U);
+    if (periods > 0) {
+      for (int step = 1; step < 6; ++step) plant->step(torque, kStep);
+      for (const DriveInstant& at : o.between) {
+        EXPECT_EQ(plant->q(), at.q) << at.time;
+        EXPECT_EQ(plant->qd(), at.qd) << at.time;
+        for (int step = 0; step < 6; ++step) plant->step(at.torque, kStep);
+      }
+    }
+    EXPECT_EQ(plant->q(), *o.q) << o.time;
+    EXPECT_EQ(plant->qd(), *o.qd) << o.time;
+    torque = *o.applied;
+    plant->step(torque, kStep, o.poses);
+    ++periods;
+    return true;
+  });
+  EXPECT_EQ(periods, 125);
+}
+
+// The robot's values reach the rollout: those that armtune assumes change nothing, and others do.
+TEST_F(RampUnderDrives, ValuesOfTheRobotsFileAct) {
+  const auto error = [&](const auto& change) {
+    Scenario s = scenario(0.002, 0);
+    RobotModel robot = *s.robot;
+    change(robot);
+    s.robot = std::make_shared<const RobotModel>(robot);
+    const Gains gains = convert_gains(controller_kind("position_streaming"), test::published_gains(s),
+                                      *s.robot, s.start_position);
+    return Rollout(s, Stepper::kMidpoint, Engine::kNative).run(gains).metrics[Metric::kJointErrorRms];
+  };
+  const double assumed = error([](RobotModel&) {});
+  EXPECT_EQ(error([](RobotModel& r) { r.drive_position_gain = JointVector::Constant(6, 15.0); }), assumed);
+  EXPECT_EQ(error([](RobotModel& r) { r.drive_torque_rate = JointVector::Constant(6, 1e9); }), assumed);
+  EXPECT_EQ(error([](RobotModel& r) { r.drive_delay = JointVector::Zero(6); }), assumed);
+  EXPECT_EQ(error([](RobotModel& r) { r.drive_rate = 1000.0; }), assumed);
+  EXPECT_NE(error([](RobotModel& r) { r.drive_position_gain = JointVector::Constant(6, 5.0); }), assumed);
+  EXPECT_NE(error([](RobotModel& r) { r.drive_torque_rate = JointVector::Constant(6, 100.0); }), assumed);
+  EXPECT_NE(error([](RobotModel& r) { r.drive_delay = JointVector::Constant(6, 0.002); }), assumed);
+  EXPECT_NE(error([](RobotModel& r) { r.drive_rate = 2000.0; }), assumed);
+}
+
 TEST_F(RampUnderDrives, TheRateOfAScenarioIsChecked) {
   EXPECT_EQ(scenario(0.002, 0, 4000.0).plant.rate, 4000.0);
   EXPECT_THROW(scenario(0.002, 0, -1.0), InputError);
 }
 
-}  // namespace
+}  // namespace plant_rate_test
 }  // namespace armtune::internal

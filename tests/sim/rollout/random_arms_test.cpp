@@ -10,7 +10,7 @@
 #include "tests/sim/support/random_job.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace random_arms_test {
 
 using test::Job;
 using test::random_job;
@@ -79,5 +79,5 @@ TEST_P(RandomArms, MoveInSimbodyAsInArmtunesOwnDynamics) {
 
 INSTANTIATE_TEST_SUITE_P(Joints, RandomArms, testing::Range(3, 13));
 
-}  // namespace
+}  // namespace random_arms_test
 }  // namespace armtune::internal

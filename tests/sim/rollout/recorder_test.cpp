@@ -11,7 +11,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace recorder_test {
 
 using test::scenario_of;
 
@@ -173,5 +173,5 @@ TEST(RolloutCsv, IsRefusedWhereItCannotBeWritten) {
               testing::HasSubstr("/no/such/folder"));
 }
 
-}  // namespace
+}  // namespace recorder_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace reference_extremes_test {
 
 struct Beyond {
   const char* name;
@@ -98,5 +98,5 @@ TEST_P(ReferenceExtremes, EndWithAStatusBeforeTheDeadline) {
 INSTANTIATE_TEST_SUITE_P(Each, ReferenceExtremes, testing::ValuesIn(kBeyond),
                          [](const auto& test) { return std::string(test.param.name); });
 
-}  // namespace
+}  // namespace reference_extremes_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace rollout_test {
 
 using test::bits;
 using test::joint_path;
@@ -253,5 +253,5 @@ TEST(Rollout, CommandsReachTheArmLateByTheDelay) {
   }
 }
 
-}  // namespace
+}  // namespace rollout_test
 }  // namespace armtune::internal

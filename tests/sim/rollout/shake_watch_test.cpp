@@ -10,7 +10,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace shake_watch_test {
 
 using Torques = std::function<JointVector(double)>;  ///< as shares of the effort limits, at t
 
@@ -175,5 +175,5 @@ TEST(ShakeWatch, IsToldInOneSentence) {
       "wrist_3_joint shakes: its torque swings by 1.8 of its effort limit, at 41.2 Hz, from 0.120 s on");
 }
 
-}  // namespace
+}  // namespace shake_watch_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace stimulus_response_test {
 
 using test::bits;
 using test::published_gains;
@@ -260,5 +260,5 @@ TEST(StimulusResponse, AStepOfNextToNothingLeavesTheMetricsOfTheTrueStateAsTheyW
   EXPECT_EQ(bits(a), bits(b));
 }
 
-}  // namespace
+}  // namespace stimulus_response_test
 }  // namespace armtune::internal

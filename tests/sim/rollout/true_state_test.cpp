@@ -13,7 +13,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace true_state_test {
 
 Eigen::AngleAxisd turn_by(const Vec3& vector) {
   const double angle = vector.norm();
@@ -227,5 +227,5 @@ TEST(TrueState, ClearanceOfLinksIsTheirs) {
   }
 }
 
-}  // namespace
+}  // namespace true_state_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace velocity_limits_test {
 
 using test::quick_gains;
 using test::scenario_of;
@@ -119,5 +119,5 @@ TEST(VelocityLimits, HoldAgainstARepulsionThatBypassesTheReference) {
   EXPECT_GE(on[Metric::kObstacleMinClearance], off[Metric::kObstacleMinClearance]);
 }
 
-}  // namespace
+}  // namespace velocity_limits_test
 }  // namespace armtune::internal

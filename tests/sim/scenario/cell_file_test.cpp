@@ -18,7 +18,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace cell_file_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -266,5 +266,5 @@ TEST(ScenarioCell, FindsAStartThatTouchesNothingOfTheCell) {
   EXPECT_NE(post.goal_position, free.goal_position);
 }
 
-}  // namespace
+}  // namespace cell_file_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace cut_off_test {
 
 void expect_valid(const Scenario& scenario) {
   ASSERT_NE(scenario.robot, nullptr);
@@ -72,5 +72,5 @@ TEST(CutOff, ARobotIsRefusedOrWhole) {
   EXPECT_GT(cuts.loaded, 0U) << "without its comment";
 }
 
-}  // namespace
+}  // namespace cut_off_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace data_files_test {
 
 using test::refusal;
 using testing::AllOf;
@@ -55,5 +55,5 @@ TEST(DataFiles, PathsComeApart) {
   EXPECT_EQ(folder_of("moving.yaml"), ".");
 }
 
-}  // namespace
+}  // namespace data_files_test
 }  // namespace armtune::internal

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/control/laws/starting_gains.hpp"
 #include "core/robot/holding_load.hpp"
 #include "sim/rollout/rollout.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "sim/scenario/default_task_file.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/robot_file.hpp"
@@ -17,7 +19,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace default_task_test {
 
 void does_its_task(const std::shared_ptr<const RobotModel>& robot) {
   const DefaultTask task = default_task(robot);
@@ -64,7 +66,14 @@ TEST_P(BundledRobots, FirstTaskKnowsTheSmallestManipulabilityOnItsWay) {
   EXPECT_EQ(task.manipulability, walk.manipulability.value);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, BundledRobots, testing::Values("ur10", "panda", "youbot"));
+constexpr std::array kBundled{"fr3",  "gen3_6", "gen3_7", "iiwa14", "panda", "ur10",
+                              "ur3e", "ur5e",   "xarm6",  "xarm7",  "youbot"};
+
+INSTANTIATE_TEST_SUITE_P(Robots, BundledRobots, testing::ValuesIn(kBundled));
+
+TEST(DefaultTask, IsTriedOnEveryBundledRobot) {
+  EXPECT_THAT(bundled_names("robots"), testing::UnorderedElementsAreArray(kBundled));
+}
 
 TEST_P(BundledRobots, FirstTaskStaysAboveTheFloorClearOfTheArmAndLight) {
   const auto robot = load_robot(GetParam());
@@ -267,5 +276,5 @@ TEST(DefaultTask, TwoJointsAreTooFewToHaveAToolAnywhere) {
   EXPECT_THAT(test::refusal([&] { default_task(arm); }), testing::HasSubstr("2 joints are too few"));
 }
 
-}  // namespace
+}  // namespace default_task_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/sim/support/ros_parameters.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace gains_file_test {
 
 using test::kRosParameters;
 using testing::AllOf;
@@ -244,5 +244,5 @@ TEST_F(GainsFile, GainsThatNoControllerCanUseAreRefused) {
               HasSubstr("start, current"));
 }
 
-}  // namespace
+}  // namespace gains_file_test
 }  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/support/planned.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace joint_goals_test {
 
 using test::refusal;
 using testing::AllOf;
@@ -82,5 +82,5 @@ TEST_F(JointGoalsFile, ThatCannotBeMeantIsRefused) {
               AllOf(HasSubstr("goals.yaml:4"), HasSubstr("but no times")));
 }
 
-}  // namespace
+}  // namespace joint_goals_test
 }  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace orientation_file_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -75,7 +75,7 @@ TEST_F(OrientationFile, TheStartThatIsFoundHasTheToolAsItIsToBe) {
 TEST_F(OrientationFile, AWalkKeepsTheToolAsItIsToBe) {
   const Scenario s = load(kEight + "orientation: {along_path: [0, 0, -1]}\n");
   const PathWalk walk = walk_path(s, s.goal_position, 0.0);
-  EXPECT_TRUE(is_clear(walk)) << trouble(walk, s);
+  EXPECT_TRUE(is_clear(walk)) << trouble(walk, s).text();
 }
 
 TEST_F(OrientationFile, WaypointsMayStandInThePathsFile) {
@@ -132,5 +132,5 @@ TEST_F(OrientationFile, WhatCannotBeIsRefusedWithLineAndAdvice) {
               HasSubstr("has no targets"));
 }
 
-}  // namespace
+}  // namespace orientation_file_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace path_file_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -245,5 +245,5 @@ TEST(PathFile, TwoOfOneNameAreRefused) {
               AllOf(HasSubstr("two.yaml:3"), HasSubstr("'red'")));
 }
 
-}  // namespace
+}  // namespace path_file_test
 }  // namespace armtune::internal

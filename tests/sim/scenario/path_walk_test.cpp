@@ -6,7 +6,7 @@
 #include "sim/scenario/start_of_task.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace path_walk_test {
 
 TEST(PathWalk, FollowsThePathAndMeasuresTheArmOnIt) {
   Scenario scenario = load_scenario("moving_target");
@@ -54,5 +54,5 @@ TEST(PathWalk, LongScenariosAreGoneAlongInABoundedNumberOfSteps) {
   }
 }
 
-}  // namespace
+}  // namespace path_walk_test
 }  // namespace armtune::internal

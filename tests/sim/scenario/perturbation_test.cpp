@@ -12,7 +12,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace perturbation_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -281,12 +281,14 @@ TEST(Perturbed, RefusesEveryWidthThatIsOutOfRangeByName) {
     if (field.most_included) {
       EXPECT_NO_THROW(validate(edge)) << field.name;
     } else {
-      EXPECT_THAT(test::refusal([&] { validate(edge); }), HasSubstr("1)"));
+      EXPECT_THAT([&] { validate(edge); },
+                  test::refused_at({.key = "perturbation", .value = "1", .limit = "in [0, 1)"}));
     }
   }
   Perturbation half;
   half.delay = 0.5;
-  EXPECT_THAT(test::refusal([&] { validate(half); }), HasSubstr("whole number"));
+  EXPECT_THAT([&] { validate(half); },
+              test::refused_at({.value = "0.5", .limit = "a whole number of control periods"}));
 }
 
 TEST(Perturbed, ByNothingIsTheScenarioButForItsSeed) {
@@ -321,5 +323,5 @@ TEST(Perturbation, ObstaclesAreInTheCellWhereTheyAreInTheScenario) {
   EXPECT_EQ(drawn.clearance->pairs().size(), scenario.clearance->pairs().size());
 }
 
-}  // namespace
+}  // namespace perturbation_test
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #include "sim/scenario/planned_motion.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 #include "tests/sim/support/planned.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace planned_motion_test {
 
 using test::refusal;
 using testing::AllOf;
@@ -166,6 +167,48 @@ TEST_F(PlannedMotion, AUsersTableMayHavePlainNamesOtherUnitsOrNoNames) {
               AllOf(HasSubstr("planned/segments"), HasSubstr("as_ros")));
 }
 
+TEST_F(PlannedMotion, DegreesOfAJointWithoutLimitsAreNamedAndTurnsInRadiansAreNot) {
+  RobotModel robot = *robot_;
+  robot.joints[0].limits.has_position = false;
+  const double limit = robot.joints[0].limits.velocity;
+  std::string names = "time";
+  for (const JointInfo& joint : robot.joints) names += "," + joint.name;
+  // One joint moves by `angle`, rests, and returns, with this mean velocity on the way out.
+  const auto refused = [&](double angle, double velocity, double speed = 1.0) {
+    const double out = angle / velocity;
+    const std::string path =
+        write(fmt::format("{}\n0,0,0,0,0,0,0\n{},{},0,0,0,0,0\n{},{},0,0,0,0,0\n{},0,0,0,0,0,0\n", names, out,
+                          angle, 2.0 * out, angle, 20.0 * out));
+    return refusal([&] {
+      PlannedFile file{{path}};
+      file.speed = speed;
+      load_planned_motion(file, robot);
+    });
+  };
+  const double degrees = 180.0 / std::numbers::pi;
+  EXPECT_THAT(refused(90.0, 0.3 * limit * degrees),
+              AllOf(HasSubstr("plan.csv:3: joint/shoulder_pan_joint/position is 90"),
+                    HasSubstr("units: {angle: deg}")));
+  EXPECT_EQ(refused(90.0, 0.3 * limit * degrees, 0.1), "nothing was refused")
+      << "a tenth of the speed is honest";
+  for (const double turns : {1.0, 20.0, 100.0})
+    EXPECT_EQ(refused(turns * 2.0 * std::numbers::pi, 2.0 * limit), "nothing was refused") << turns;
+  EXPECT_EQ(refused(2.0 * std::numbers::pi, 1000.0 * limit), "nothing was refused") << "a wrapped angle";
+}
+
+TEST_F(PlannedMotion, TheColumnOfTheTimeMayHaveCapitals) {
+  std::string names;
+  for (const JointInfo& joint : robot_->joints) names += "," + joint.name;
+  const std::string rows = "\n0,0,0,0,0,0,0\n1.5,1,0,0,0,0,0\n";
+  const JointSpline expected = load(write("time" + names + rows));
+  for (const char* time : {"Time", "TIME", "T", "Time [s]", "Time_From_Start"}) {
+    EXPECT_EQ(load(write(time + names + rows)).at(1.0).position, expected.at(1.0).position) << time;
+  }
+  // Of two columns that could be the time, the one of this name is.
+  const std::string both = "T,Time" + names + "\n7,0,0,0,0,0,0,0\n7,1.5,1,0,0,0,0,0\n";
+  EXPECT_EQ(load(write(both)).at(1.0).position, expected.at(1.0).position);
+}
+
 TEST_F(PlannedMotion, AMessageOfRosIsOne) {
   std::string names = "joint_names: [";
   for (const JointInfo& joint : robot_->joints) names += joint.name + ", ";
@@ -253,5 +296,5 @@ TEST_F(PlannedMotion, AFileThatIsNotOneIsRefused) {
               AllOf(HasSubstr("plan.csv:1"), HasSubstr("joint/elbow_joint/velocity")));
 }
 
-}  // namespace
+}  // namespace planned_motion_test
 }  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/sim/support/planned.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace planned_scenario_test {
 
 using test::refusal;
 using testing::AllOf;
@@ -146,5 +146,5 @@ TEST_F(PlannedScenario, WhatDoesNotGoWithItIsRefused) {
   EXPECT_EQ(scenario("planned: plan.csv\nduration: planned\n").periods(), 1);
 }
 
-}  // namespace
+}  // namespace planned_scenario_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace plant_factors_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -132,5 +132,5 @@ TEST(ThetaStart, FactorsMultiplyEachLinksAndItsJointsParameters) {
   EXPECT_EQ(varied.tail<kJointParameters>(), plain.tail<kJointParameters>());
 }
 
-}  // namespace
+}  // namespace plant_factors_test
 }  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace random_targets_test {
 
 using testing::HasSubstr;
 
@@ -78,5 +78,5 @@ TEST(RandomTargets, AFileDrawsThemInPlaceOfItsBasesTargets) {
   EXPECT_THAT(refused("count: 2, low: [0, 0, 0], high: [1, 1, 1], sed: 1"), HasSubstr("did you mean 'seed'"));
 }
 
-}  // namespace
+}  // namespace random_targets_test
 }  // namespace armtune::internal

@@ -8,11 +8,11 @@
 #include "core/robot/urdf_reader.hpp"
 #include "core/robot/urdf_writer.hpp"
 #include "sim/scenario/robot_writer.hpp"
-#include "sim/scenario/urdf_keys.hpp"
+#include "sim/scenario/sidecar_text.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace robot_file_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -89,6 +89,44 @@ TEST(RobotFile, HasGainsOfDrives) {
     EXPECT_THAT(test::refusal([&] { load_robot(folder.write("arm.yaml", robot_text(wrong))); }),
                 HasSubstr("arm.yaml:2"))
         << wrong;
+}
+
+TEST(RobotFile, HasAMapOfDrives) {
+  const test::TemporaryFolder folder;
+  const auto arm = load_robot(folder.write(
+      "arm.yaml", robot_text("drives:\n  velocity_gain: [1, 2, 3, 4, 5, 6]\n  velocity_integral: 0\n"
+                             "  position_gain: 20\n  torque_rate: {wrist_3_joint: 6, shoulder_pan_joint: 1, "
+                             "shoulder_lift_joint: 2, elbow_joint: 3, wrist_1_joint: 4, wrist_2_joint: 5}\n"
+                             "  delay: 0.0015\n  rate: 500\n")));
+  const auto has_all = [](const RobotModel& model) {
+    EXPECT_EQ(model.drive_velocity_gain, JointVector::LinSpaced(6, 1.0, 6.0));
+    EXPECT_EQ(model.drive_velocity_integral, JointVector::Zero(6));
+    EXPECT_EQ(model.drive_position_gain, JointVector::Constant(6, 20.0));
+    EXPECT_EQ(model.drive_torque_rate, JointVector::LinSpaced(6, 1.0, 6.0));
+    EXPECT_EQ(model.drive_delay, JointVector::Constant(6, 0.0015));
+    EXPECT_EQ(model.drive_rate, 500.0);
+  };
+  has_all(*arm);
+  folder.write("again.urdf", urdf_text(*arm));
+  has_all(*load_robot(folder.write("again.yaml", robot_yaml(*arm, "again.urdf", ""))));
+  const auto bare = load_robot(folder.write("bare.yaml", robot_text("drives: {}\n")));
+  EXPECT_EQ(bare->drive_position_gain.size() + bare->drive_torque_rate.size() + bare->drive_delay.size(), 0);
+  EXPECT_EQ(bare->drive_rate, 0.0);
+  EXPECT_EQ(robot_yaml(*bare, "again.urdf").find("drives"), std::string::npos);
+  for (const char* wrong :
+       {"{position_gain: 0}", "{position_gain: [1, 2, 3]}", "{torque_rate: -1}", "{torque_rate: 0}",
+        "{torque_rate: .inf}", "{delay: -0.001}", "{delay: 0.2}", "{rate: 0}", "{rate: 1e6}",
+        "{velocity_gain: .nan}", "{velocity_integral: -1}", "{gain: 3}", "7"})
+    EXPECT_THAT(test::refusal([&] {
+                  load_robot(folder.write("arm.yaml", robot_text(std::string("drives: ") + wrong + "\n")));
+                }),
+                AllOf(HasSubstr("arm.yaml:2"), HasSubstr("drives")))
+        << wrong;
+  EXPECT_THAT(test::refusal([&] {
+                load_robot(folder.write("arm.yaml", robot_text("drive_velocity_gain: [1, 1, 1, 1, 1, 1]\n"
+                                                               "drives: {velocity_gain: 2}\n")));
+              }),
+              AllOf(HasSubstr("arm.yaml:3"), HasSubstr("drive_velocity_gain")));
 }
 
 TEST(RobotFile, EstimatesTheRotorsThatNoFileGives) {
@@ -188,7 +226,7 @@ TEST(RobotFile, WhatIsMissingIsAYamlThatLoadsOnceItIsFilledIn) {
                    "<child link='b'/><axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='0' effort='0'/>"
                    "</joint></robot>");
   const RobotFile file = read_robot_file(urdf);
-  const std::string text = missing_yaml(file.urdf, missing_data(file.urdf, file.options));
+  const std::string text = sidecar_yaml(file.urdf, missing_data(file.urdf, file.options), {});
   const std::string path = folder.write("arm.yaml", text);
   EXPECT_THAT(test::refusal([&] { load_robot(path); }),
               AllOf(HasSubstr("arm.yaml:4"), HasSubstr("velocity")));
@@ -216,7 +254,7 @@ TEST(RobotFile, MissingPositionLimitsAreAskedForToo) {
       "<robot name='r'><link name='a'/><link name='b'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
       "izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link><joint name='j' type='revolute'><parent link='a'/>"
       "<child link='b'/><axis xyz='0 0 1'/><limit velocity='2' effort='3'/></joint></robot>");
-  std::string text = missing_yaml(urdf, missing_data(urdf));
+  std::string text = sidecar_yaml(urdf, missing_data(urdf), {});
   for (const auto& [key, value] : {std::pair("lower:", " -0.5"), std::pair("upper:", " 0.75")}) {
     const auto at = text.find(key);
     ASSERT_NE(at, std::string::npos) << text;
@@ -252,5 +290,5 @@ TEST(RobotFile, WhatDoesNotFitIsRefusedInOneLine) {
   EXPECT_THAT(test::refusal([&] { load_robot(folder / "none.urdf"); }), HasSubstr("none.urdf"));
 }
 
-}  // namespace
+}  // namespace robot_file_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace scenario_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -363,5 +363,5 @@ TEST_F(ScenarioFile, ABaseThatIsNotThereOrNeverEndsIsRefused) {
   EXPECT_THAT(test::refusal([&] { load_scenario(path); }), AllOf(HasSubstr("own.yaml"), HasSubstr("base")));
 }
 
-}  // namespace
+}  // namespace scenario_test
 }  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace start_of_task_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -45,6 +45,25 @@ TEST(StartOfTask, AScenarioWithoutAStartFindsItsOwnAndTheGoalOnTheTask) {
               AllOf(HasSubstr("given"), HasSubstr("joint_space_goal")));
 }
 
+TEST(StartOfTask, WaypointsInMillimetresAreNamedAndOnesInMetresThatAreOutOfReachAreNot) {
+  const test::TemporaryFolder folder;
+  const auto load = [&](const std::string& rows, const std::string& units) {
+    folder.write("moves.csv", "time,x,y,z\n" + rows);
+    return load_scenario(folder.write(
+        "own.yaml",
+        "robot: ur10\nduration: 9\ncontrol_period: 0.002\npath: {waypoints: {file: moves.csv" + units +
+            "}}\ntargets: [{name: below, center: [-0.6, 0, 0]}]\ntheta_start: {model_scale: 1}\n"));
+  };
+  const std::string millimetres = "0,-650,160,500\n5,-700,160,500\n9,-700,200,400\n";
+  EXPECT_THAT(test::refusal([&] { load(millimetres, ""); }),
+              AllOf(HasSubstr("(-650, 160, 500) m"), HasSubstr("units: {length: mm}")));
+  EXPECT_LT(
+      (load(millimetres, ", units: {length: mm}").path.at(0.0).position - Vec3(-0.65, 0.16, 0.5)).norm(),
+      1e-12);
+  EXPECT_THAT(test::refusal([&] { load("0,-6.5,1.6,5\n9,-7,2,4\n", ""); }),
+              AllOf(HasSubstr("(-6.5, 1.6, 5) m"), testing::Not(HasSubstr("mm"))));
+}
+
 TEST(StartOfTask, AGainsFileMayLeaveTheGoalOutAndReadsBackWithoutIt) {
   const Scenario scenario = load_scenario("moving_target");
   Gains gains = published(scenario);
@@ -68,5 +87,5 @@ TEST(StartOfTask, TheFoundStartIsOffTheGoalTowardsTheMiddle) {
   EXPECT_NEAR(start[5], 0.07, 1e-12);
 }
 
-}  // namespace
+}  // namespace start_of_task_test
 }  // namespace armtune::internal

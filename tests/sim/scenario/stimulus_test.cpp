@@ -9,7 +9,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace stimulus_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -186,5 +186,5 @@ TEST_F(StimulusFile, SinesThatCannotBeMeasuredAreRefused) {
   EXPECT_THAT(refused_sines("direction: [0, 0, 1]"), HasSubstr("missing key"));
 }
 
-}  // namespace
+}  // namespace stimulus_test
 }  // namespace armtune::internal

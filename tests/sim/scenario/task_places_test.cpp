@@ -9,7 +9,7 @@
 #include "tests/core/support/arms.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace task_places_test {
 
 constexpr double kLowest = 0.3;  // m
 
@@ -46,5 +46,5 @@ TEST(TaskPlaces, AThoroughLookFindsBetterOnesAndOnlyThoseThatWillDo) {
   }
 }
 
-}  // namespace
+}  // namespace task_places_test
 }  // namespace armtune::internal

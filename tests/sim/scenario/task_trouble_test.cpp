@@ -12,7 +12,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace task_trouble_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -112,7 +112,8 @@ TEST(TaskTrouble, SaysWhereASingularityIsPassed) {
   EXPECT_LT(walk.error.value, 1e-3);
   EXPECT_LT((walk.manipulability.tool - scenario.path.center).norm(), 2e-3);  // a step takes 1.2 mm there
   EXPECT_FALSE(is_clear(walk));
-  EXPECT_THAT(trouble(walk, scenario), AllOf(HasSubstr("singularity"), HasSubstr("manipulability is")));
+  EXPECT_THAT(trouble(walk, scenario).problem,
+              AllOf(HasSubstr("singularity"), HasSubstr("manipulability is")));
 }
 
 TEST(TaskTrouble, SaysWhereTheToolPassesItsOwnTarget) {
@@ -122,6 +123,16 @@ TEST(TaskTrouble, SaysWhereTheToolPassesItsOwnTarget) {
               AllOf(HasSubstr("passes too close to its gaze target"), HasSubstr("m away")));
 }
 
+TEST(TaskTrouble, ProblemAndAdviceAreOneSentenceAndBothEmptyWithoutAProblem) {
+  Scenario scenario = load_scenario("moving_target");
+  const JointVector q = best_start_of_task(scenario);
+  EXPECT_EQ(trouble(walk_path(scenario, q, 0.0), scenario).text(), "");
+  scenario.targets = {{"on_it", {scenario.path.at(5.0).position + Vec3(0.0, 0.0, 0.005), 0.0, 0.0, {}}}};
+  const WalkTrouble found = trouble(walk_path(scenario, q, 0.0), scenario);
+  EXPECT_THAT(found.problem, AllOf(HasSubstr("gaze target"), testing::Not(HasSubstr(found.advice))));
+  EXPECT_THAT(found.text(), AllOf(testing::StartsWith(found.problem), testing::EndsWith(found.advice)));
+}
+
 TEST(TaskTrouble, APathThatIsLostInASingularityHasNotLeftTheWorkspace) {
   // Aside to the line on which the wrist could turn over in time.
   const Scenario scenario = through_the_wrist(Vec3(0.15, 0.0, 0.0), 2.0);
@@ -129,7 +140,8 @@ TEST(TaskTrouble, APathThatIsLostInASingularityHasNotLeftTheWorkspace) {
   q << 0.44, -1.43, -1.39, -3.46, -0.16, 0.0;
   const PathWalk walk = walk_from(scenario, q);
   EXPECT_GT(walk.error.value, 1e-2);
-  EXPECT_THAT(trouble(walk, scenario), AllOf(HasSubstr("singularity"), testing::Not(HasSubstr("workspace"))));
+  EXPECT_THAT(trouble(walk, scenario).problem,
+              AllOf(HasSubstr("singularity"), testing::Not(HasSubstr("workspace"))));
 }
 
 TEST(TaskTrouble, SaysWhichJointLeavesItsLimits) {
@@ -141,9 +153,9 @@ TEST(TaskTrouble, SaysWhichJointLeavesItsLimits) {
   scenario.robot = narrow;
   const PathWalk walk = walk_path(scenario, q, 0.0);
   EXPECT_EQ(walk.joint, 0);
-  EXPECT_THAT(trouble(walk, scenario),
+  EXPECT_THAT(trouble(walk, scenario).problem,
               AllOf(HasSubstr(narrow->joints[0].name), HasSubstr("exceeds its position limits")));
 }
 
-}  // namespace
+}  // namespace task_trouble_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace trajectory_message_test {
 
 using test::refusal;
 using testing::AllOf;
@@ -128,5 +128,5 @@ TEST_F(TrajectoryMessage, HasNoTimesIfNoPointOrOnlyZerosGiveThem) {
   }
 }
 
-}  // namespace
+}  // namespace trajectory_message_test
 }  // namespace armtune::internal

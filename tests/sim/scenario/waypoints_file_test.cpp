@@ -8,7 +8,7 @@
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace waypoints_file_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -120,5 +120,5 @@ TEST(WaypointsFile, OtherUnitsAndColumnsWithoutNamesAreSaidWhereTheFileIsNamed) 
   EXPECT_THAT(refused(", columns: [time, x, y]"), HasSubstr("robot.csv:2"));
 }
 
-}  // namespace
+}  // namespace waypoints_file_test
 }  // namespace armtune::internal

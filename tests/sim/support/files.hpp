@@ -11,7 +11,7 @@
 #include <string>
 
 #include "armtune/error.hpp"
-#include "tests/core/support/error_place.hpp"
+#include "tests/core/support/refused_at.hpp"
 
 namespace armtune::internal::test {
 
@@ -54,14 +54,7 @@ inline std::string read_text(const std::string& path) {
 /// Message of the InputError that `action` ends with; it must be one line.
 template <typename Action>
 std::string refusal(Action&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-    expect_place(error);
-    return error.what();
-  }
-  return "nothing was refused";
+  return input_error(action).what();
 }
 
 }  // namespace armtune::internal::test

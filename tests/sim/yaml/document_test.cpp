@@ -5,7 +5,7 @@
 #include "tests/sim/yaml/yaml_values.hpp"
 
 namespace armtune::internal::yaml {
-namespace {
+namespace document_test {
 
 using namespace test;
 
@@ -89,5 +89,5 @@ TEST(Document, ItsNodesCanBeCopiedAndOutliveTheRoot) {
   EXPECT_EQ(error_of([&] { copy.find("b")->fail("wrong"); }), "in.yaml:1: key 'a/b': wrong");
 }
 
-}  // namespace
+}  // namespace document_test
 }  // namespace armtune::internal::yaml

@@ -1,5 +1,6 @@
 #include "sim/yaml/map_reader.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -7,9 +8,12 @@
 #include <string>
 
 #include "armtune/error.hpp"
+#include "tests/core/support/refused_at.hpp"
 
 namespace armtune::internal::yaml {
-namespace {
+namespace map_reader_test {
+
+using internal::test::refused_at;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -47,6 +51,8 @@ TEST(MapReader, NamesAMissingRequiredKeyAndItsMap) {
   EXPECT_EQ(reader.required("inertia").as_number(), 1.0);
   EXPECT_EQ(error_of([&] { reader.required("mass"); }),
             "in.yaml:3: key 'plant/payload': missing key 'mass' in 'plant/payload'");
+  EXPECT_THAT([&] { reader.required("mass"); },
+              refused_at({.line = 3, .key = "plant/payload", .value = "", .limit = "the key 'mass'"}));
   MapReader top(root);
   EXPECT_EQ(error_of([&] { top.number("mass"); }), "in.yaml:1: missing key 'mass' in the document");
 }
@@ -90,16 +96,16 @@ TEST(MapReader, GivesDefaultsForAbsentKeys) {
 TEST(MapReader, DoesNotHideAWrongTypeBehindADefault) {
   const Node map = parse("n: abc\ni: 3.0\nb: yes\ns: 5\ne:\n");
   MapReader reader(map);
-  EXPECT_TRUE(
-      error_of([&] { reader.number("n", 1.0); }).starts_with("in.yaml:1: key 'n': 'abc' is not a number"));
-  EXPECT_TRUE(error_of([&] { reader.number_in("n", 1.0, 0.0, 2.0); }).starts_with("in.yaml:1: key 'n': "));
-  EXPECT_TRUE(
-      error_of([&] { reader.integer("i", 1); }).starts_with("in.yaml:2: key 'i': '3.0' is not an integer"));
-  EXPECT_TRUE(
-      error_of([&] { reader.boolean("b", true); }).starts_with("in.yaml:3: key 'b': 'yes' is not a boolean"));
-  EXPECT_TRUE(error_of([&] { reader.string("s", ""); }).starts_with("in.yaml:4: key 's': '5' is a number"));
-  EXPECT_EQ(error_of([&] { reader.number("e", 1.0); }),
-            "in.yaml:5: key 'e': the value is empty; expected a number");
+  EXPECT_THAT([&] { reader.number("n", 1.0); }, refused_at({.line = 1, .key = "n", .value = "abc"}));
+  EXPECT_THAT([&] { reader.number_in("n", 1.0, 0.0, 2.0); },
+              refused_at({.line = 1, .key = "n", .value = "abc"}));
+  EXPECT_THAT([&] { reader.integer("i", 1); }, refused_at({.line = 2, .key = "i", .value = "3.0"}));
+  EXPECT_THAT([&] { reader.boolean("b", true); },
+              refused_at({.line = 3, .key = "b", .value = "yes", .limit = "true or false"}));
+  EXPECT_THAT([&] { reader.string("s", ""); },
+              refused_at({.line = 4, .key = "s", .value = "5", .limit = "a text"}));
+  EXPECT_THAT([&] { reader.number("e", 1.0); },
+              refused_at({.line = 5, .key = "e", .value = "", .limit = "a number"}));
 }
 
 TEST(MapReader, RefusesANumberOutOfRangeWithValueAndLimits) {
@@ -107,10 +113,12 @@ TEST(MapReader, RefusesANumberOutOfRangeWithValueAndLimits) {
   MapReader reader(*map.find("plant"));
   EXPECT_EQ(error_of([&] { reader.number_in("mass", 1.0, 0.0, 5.5); }),
             "in.yaml:1: key 'plant/mass': 7 is out of range; expected 0 to 5.5");
-  EXPECT_TRUE(
-      error_of([&] { reader.number_in("mass", 9.0, 8.0, kInfinity); }).ends_with("expected at least 8"));
-  EXPECT_TRUE(
-      error_of([&] { reader.number_in("mass", 0.0, -kInfinity, 6.0); }).ends_with("expected at most 6"));
+  EXPECT_THAT([&] { reader.number_in("mass", 1.0, 0.0, 5.5); },
+              refused_at({.line = 1, .key = "plant/mass", .value = "7", .limit = "0 to 5.5"}));
+  EXPECT_THAT([&] { reader.number_in("mass", 9.0, 8.0, kInfinity); },
+              refused_at({.value = "7", .limit = "at least 8"}));
+  EXPECT_THAT([&] { reader.number_in("mass", 0.0, -kInfinity, 6.0); },
+              refused_at({.value = "7", .limit = "at most 6"}));
 }
 
 TEST(MapReader, CountsBothLimitsAsInRange) {
@@ -128,24 +136,28 @@ TEST(MapReaderFinish, RefusesAnUnknownKeyWithTheNearestKnownOne) {
   EXPECT_EQ(error_of([&] { reader.finish(); }),
             "in.yaml:2: key 'durration': unknown key 'durration' (did you mean 'duration'?); known keys: "
             "robot, duration");
+  EXPECT_THAT(
+      [&] { reader.finish(); },
+      refused_at(
+          {.line = 2, .key = "durration", .value = "durration", .limit = "the keys: robot, duration"}));
 }
 
 TEST(MapReaderFinish, ListsKnownKeysWhenNoneIsNear) {
   const Node root = parse("plant:\n  gravity: 5\n  other: 1\n");
   const Node& plant = *root.find("plant");
   MapReader reader(plant);
-  EXPECT_EQ(error_of([&] { reader.finish(); }),
-            "in.yaml:2: key 'plant/gravity': unknown key 'gravity'; known keys: none");
+  EXPECT_THAT([&] { reader.finish(); },
+              refused_at({.line = 2, .key = "plant/gravity", .limit = "the keys: none"}));
   reader.number("mass", 1.0);
   reader.number("mass", 1.0);
-  EXPECT_EQ(error_of([&] { reader.finish(); }),
-            "in.yaml:2: key 'plant/gravity': unknown key 'gravity'; known keys: mass");
+  EXPECT_THAT([&] { reader.finish(); },
+              refused_at({.line = 2, .key = "plant/gravity", .limit = "the keys: mass"}));
 }
 
 TEST(MapReaderFinish, NamesTheFirstUnknownKeyOfTheFile) {
   const Node map = parse("z: 1\na: 2\n");
   MapReader reader(map);
-  EXPECT_TRUE(error_of([&] { reader.finish(); }).starts_with("in.yaml:1: key 'z': unknown key 'z'"));
+  EXPECT_THAT([&] { reader.finish(); }, refused_at({.line = 1, .key = "z"}));
 }
 
 TEST(MapReaderFinish, AcceptsKeysThatWereReadAskedForOrIgnored) {
@@ -164,5 +176,5 @@ TEST(MapReaderFinish, AcceptsAnEmptyMap) {
   EXPECT_EQ(error_of([&] { MapReader(map).finish(); }), "no error");
 }
 
-}  // namespace
+}  // namespace map_reader_test
 }  // namespace armtune::internal::yaml

@@ -10,7 +10,7 @@
 #include "tests/sim/support/hostile_texts.hpp"
 
 namespace armtune::internal::yaml {
-namespace {
+namespace quoted_test {
 
 /// True for a text of printable lines: no reader ends one of them anywhere else.
 bool has_printable_lines(std::string text) {
@@ -19,7 +19,7 @@ bool has_printable_lines(std::string text) {
 }
 
 TEST(Quoted, AnyTextReadsBackAsItself) {
-  for (const std::string& text : test::hostile_texts()) {
+  for (const std::string& text : internal::test::hostile_texts()) {
     EXPECT_EQ(parse_text("key: " + quoted(text) + "\n", "text").find("key")->as_string(), text);
     EXPECT_EQ(parse_text("key: " + word(text) + "\n", "text").find("key")->as_string(), text);
     EXPECT_EQ(parse_text("[" + word(text) + ", " + word(text) + "]\n", "text").as_strings(),
@@ -39,7 +39,7 @@ TEST(Quoted, ABytesThatIsNotUtf8BecomesTheCharacterOfItsNumber) {
 
 TEST(Entry, AnyKeyReadsBackAsItself) {
   std::string text;
-  std::vector<std::string> keys = test::hostile_texts();
+  std::vector<std::string> keys = internal::test::hostile_texts();
   for (std::size_t i = 0; i < keys.size(); ++i) text += entry("  ", keys[i], fmt::format("{}", i));
   EXPECT_TRUE(has_printable_lines(text));
   const Node root = parse_text("map:\n" + text, "text");
@@ -52,7 +52,7 @@ TEST(Entry, AnyKeyReadsBackAsItself) {
 }
 
 TEST(Comment, IsOneLineForEveryReader) {
-  for (const std::string& text : test::hostile_texts()) {
+  for (const std::string& text : internal::test::hostile_texts()) {
     const std::string line = comment(text);
     EXPECT_EQ(line.find('\n'), line.size() - 1);
     EXPECT_TRUE(has_printable_lines(line)) << testing::PrintToString(text);
@@ -64,5 +64,5 @@ TEST(Quoted, BytesThatAreNotUtf8CanStillBeRead) {
   EXPECT_EQ(parse_text("key: " + quoted("caf\xe9/\xff") + "\n", "text").find("key")->as_string(), "café/ÿ");
 }
 
-}  // namespace
+}  // namespace quoted_test
 }  // namespace armtune::internal::yaml

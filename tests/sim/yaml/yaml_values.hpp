@@ -13,9 +13,12 @@
 
 #include "armtune/error.hpp"
 #include "sim/yaml/document.hpp"
-#include "tests/core/support/error_place.hpp"
+#include "tests/core/support/refused_at.hpp"
 
 namespace armtune::internal::yaml::test {
+
+using internal::test::input_error;
+using internal::test::refused_at;
 
 inline std::string error_of(const std::function<void()>& action) {
   try {
@@ -33,7 +36,16 @@ inline std::string parse_error(const std::string& text) {
   return error_of([&] { parse_text(text, "in.yaml"); });
 }
 
-/// Message of the error that `read` gives on the value of key x.
+inline InputError parse_refusal(const std::string& text) {
+  return input_error([&] { parse_text(text, "in.yaml"); });
+}
+
+/// The error that `read` gives on the value of key x, and its message.
+template <typename Read>
+inline InputError read_refusal(const std::string& value, Read read) {
+  const Node root = parse_text("x: " + value, "in.yaml");
+  return input_error([&] { read(*root.find("x")); });
+}
 template <typename Read>
 inline std::string read_error(const std::string& value, Read read) {
   const Node root = parse_text("x: " + value, "in.yaml");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <tuple>
 
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/first_gains.hpp"
@@ -20,6 +21,7 @@
 #include "tuner/session/study_files.hpp"
 #include "tuner/session/tune_files.hpp"
 #include "tuner/study/study.hpp"
+#include "tuner/verdict/assumptions.hpp"
 
 namespace armtune::internal {
 namespace controller_study_test {
@@ -143,7 +145,7 @@ TEST(ControllerStudy, SaysNothingOfAMotionWithVelocities) {
       "- {positions: [0, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 0}\n"
       "- {positions: [1, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 2}\n")};
   const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
-  EXPECT_THAT(files.notes, IsEmpty());
+  EXPECT_THAT(files.notes, ElementsAre(HasSubstr("ROS 2 Jazzy")));
   EXPECT_EQ(load_study(files.study).scenarios[0].planned->at(1.0).position[0], 0.5);
 }
 
@@ -338,6 +340,36 @@ TEST(ControllerStudy, WritesNothingWhereAFileIsWrong) {
   folder.write("full/something.txt", "kept");
   inputs = example();
   EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "full"); }), HasSubstr("full"));
+}
+
+TEST(ControllerStudy, FollowsTheDistributionThatIsNamedAndSaysSo) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  for (const auto& [name, title, number] :
+       {std::tuple{"", "ROS 2 Jazzy", 0.0}, {"jazzy", "ROS 2 Jazzy", 0.0}, {"humble", "ROS 2 Humble", 1.0}}) {
+    inputs.distro = name;
+    const ControllerStudyFiles files =
+        write_controller_study(inputs, folder / (std::string("study_") + name)).value();
+    EXPECT_THAT(files.notes, Contains(AllOf(HasSubstr("arm_controller"), HasSubstr(title))));
+    const Study study = load_study(files.study);
+    EXPECT_EQ(study.distro, distro_from_name(name));
+    EXPECT_EQ(own(study.space.start, "jtc_distro")[0], number);
+    SimulationVerdict verdict;
+    add_controller_assumption(study.scenarios, study.space.start, verdict);
+    EXPECT_THAT(verdict.assumes, Contains(HasSubstr(title)));
+    // Tuned gains go back into the file by the same rules.
+    std::filesystem::create_directory(folder / (std::string("run_") + name));
+    EXPECT_EQ(write_controllers(study, study.space.start, folder / (std::string("run_") + name)),
+              "ros2_controllers.yaml");
+  }
+  inputs.distro = "noetic";
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "none"); }),
+              HasSubstr("ROS 1 Noetic"));
+  std::string text = test::read_text(folder / "study_humble/study.yaml");
+  text.replace(text.find("distro: humble"), 14, "distro: rolling");
+  const std::string rolling = folder.write("study_humble/rolling.yaml", text);
+  EXPECT_THAT(test::refusal([&] { load_study(rolling); }),
+              AllOf(HasSubstr("rolling.yaml:"), HasSubstr("jazzy, humble")));
 }
 
 TEST(ControllerStudy, TakesTheControllerThatIsNamedOfSeveral) {

@@ -60,9 +60,15 @@ TEST(OwnControllerStudy, StartsWithGainsOfItsOwnWithoutAParameterFile) {
       folder.write("arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
                                "/examples/ur5e/ur5e.urdf\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
                                "drive_velocity_gain: [400, 400, 400, 400, 400, 400]\n");
-  EXPECT_THAT(
-      write_controller_study(inputs, folder / "stiff").value().notes,
-      Contains(AllOf(HasSubstr("too fast for its rate of 1040 Hz"), HasSubstr("drive_velocity_gain"))));
+  EXPECT_THAT(write_controller_study(inputs, folder / "stiff").value().notes,
+              Contains(AllOf(HasSubstr("too fast for its rate of 1040 Hz"), HasSubstr("velocity_gain"))));
+  inputs.robot =
+      folder.write("fast.yaml", "urdf: " ARMTUNE_SOURCE_DIR
+                                "/examples/ur5e/ur5e.urdf\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
+                                "drives: {velocity_gain: 400, rate: 26000}\n");
+  EXPECT_THAT(write_controller_study(inputs, folder / "fast").value().notes,
+              testing::Not(Contains(HasSubstr("too fast"))))
+      << "at the rate of its drives";
   inputs = example();
   inputs.controllers.clear();
   inputs.rate = 500.0;

@@ -207,7 +207,7 @@ TEST(FirstTask, AHeavyArmIsHeldByFirmerGainsAtAPlaceThatTakesMoreSearching) {
   Scenario of_weak = task.scenario;
   of_weak.robot = std::make_shared<const RobotModel>(weak);
   const RolloutResult held = Rollout(of_weak, Stepper::kMidpoint, Engine::kNative).run(found->gains);
-  EXPECT_EQ(broken_limit(held, arm_limits(), of_weak), "");
+  EXPECT_EQ(broken_limit(held, arm_limits(), of_weak).text, "");
   EXPECT_FALSE(nearly_all_hold(of_weak, found->gains, 2));
 }
 

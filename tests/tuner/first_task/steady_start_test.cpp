@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/starting_gains.hpp"
 #include "sim/rollout/rollout.hpp"
+#include "sim/scenario/default_task_file.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/support/short_study.hpp"
@@ -114,6 +116,36 @@ TEST(SteadyStart, LeavesAtZeroWhatTheFileHasAtZeroAndTheStudyDoesNotTune) {
   ASSERT_TRUE(study.given);
   EXPECT_EQ(own(study.space.start, "jtc_i")[3], 0.0);
   EXPECT_GT(own(study.space.start, "jtc_i")[2], 0.0);
+}
+
+// A stiffness that the damping cannot hold in a sampled loop of period T: P T > 2 D.
+TEST(SteadyStart, TakesThePlaceOfAnUnstableJointPd) {
+  const test::TemporaryFolder folder;
+  const auto robot = load_robot("ur10");
+  const DefaultTask task = default_task(robot);
+  folder.write("task.yaml", default_task_yaml(task, "ur10"));
+  Gains bad =
+      convert_gains(controller_kind("joint_pd"),
+                    starting_gains(*robot, task.scenario.start_position, task.goal, task.manipulability),
+                    *robot, task.goal);
+  own(bad, "joint_pd_p") *= 100.0;
+  own(bad, "joint_pd_d") *= 0.01;
+  folder.write("gains.yaml", gains_yaml(bad, {}));
+  const std::string path = folder.write(
+      "study.yaml",
+      "{gains: gains.yaml, scenarios: [task.yaml], objective: [{metric: error/position/max, weight: 1}], "
+      "parameters: [{name: joint_pd_p}, {name: joint_pd_d}]}\n");
+  const Study study = load_steady_study(path, "", 2);
+  ASSERT_TRUE(study.given);
+  EXPECT_EQ(own(*study.given, "joint_pd_p"), own(bad, "joint_pd_p"));
+  EXPECT_THAT(study.given_failure, HasSubstr("task"));
+  EXPECT_EQ(study.space.start.controller, "joint_pd");
+  EXPECT_LT(own(study.space.start, "joint_pd_p")[0], own(bad, "joint_pd_p")[0]);
+  const Scenario& scenario = study.scenarios[0];
+  const RolloutResult result =
+      Rollout(scenario, study.stepper, Engine::kNative).run(with_goal(study.space.start, scenario));
+  EXPECT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+  EXPECT_LE(result.metrics[Metric::kJointVelocityMaxRatio], 1.0);
 }
 
 // The file's gains can be tuned as they are, although first gains would not fit the study.

@@ -154,7 +154,7 @@ TEST_F(HostileNames, OfLinksAndJointsInWhatIdentifyAndExciteWrite) {
       EXPECT_EQ(written.entries()[i].first, names[i]);
       EXPECT_EQ(written.entries()[i].second.as_number(), theta[static_cast<Eigen::Index>(i)]);
     }
-    EXPECT_EQ(read(robot_yaml(arm, text)).find("urdf")->as_string(), text);
+    EXPECT_EQ(read(identified_robot_yaml(arm, text)).find("urdf")->as_string(), text);
     const auto joints = joint_names(arm);
     Excitation excitation;
     excitation.center.setZero(arm.n());

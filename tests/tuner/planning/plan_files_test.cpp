@@ -210,6 +210,7 @@ TEST(LimitsCsv, ReadsBackToTheBitAndIsEmptyWhereThereIsNoFigure) {
   for (std::size_t i = 0; i < uses.size(); ++i) {
     LimitUse& use = uses[i];
     const std::string names[] = {"torque", test::kAwkwardText, test::kFormula};
+    use.kind = static_cast<LimitKind>(i % 11);
     use.limit = names[i % 3];
     use.part = names[(i + 1) % 3];
     use.unit = names[(i + 2) % 3];
@@ -232,6 +233,7 @@ TEST(LimitsCsv, ReadsBackToTheBitAndIsEmptyWhereThereIsNoFigure) {
   for (std::size_t row = 0; row < uses.size(); ++row) {
     const LimitUse& use = uses[row];
     read.text(row, "limit", use.limit);
+    read.text(row, "kind", name(use.kind));
     read.text(row, "part", use.part);
     read.text(row, "unit", use.unit);
     read.number(row, "lower", use.lower);

@@ -7,6 +7,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/sim/cell/rods.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tuner/planning/output/limit_use.hpp"
 #include "tuner/planning/output/plan_sample.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
@@ -69,6 +70,14 @@ TEST(PlanInACell, GoesRoundAWallThatItWouldCrossOtherwise) {
       << "between the knots too";
   EXPECT_GT(least_distance(task, problem, planned.trajectory, Clearance::kFloor), 0.02);
   EXPECT_GT(least_distance(task, problem, planned.trajectory, Clearance::kSelf), 0.0);
+  const std::vector<LimitUse> uses = limit_uses(task, problem, planned);
+  EXPECT_EQ(worst_between(uses, {LimitKind::kObstacle}).use, nullptr);
+  for (const LimitKind kind : {LimitKind::kCellPart, LimitKind::kFloor}) {
+    const WorstUse worst = worst_between(uses, {kind});
+    ASSERT_NE(worst.use, nullptr) << name(kind);
+    EXPECT_THAT(worst.use->limit, testing::HasSubstr(kind == LimitKind::kFloor ? "floor" : "wall"));
+    EXPECT_EQ(worst.use->lower, 0.03);
+  }
   EXPECT_GE(planned.trajectory.durations[0], (1.0 - 1e-6) * crossed.trajectory.durations[0]);
 }
 

@@ -127,16 +127,18 @@ TEST(PlanLimits, ATrajectoryThatIsPulledApartBetweenItsKnotsIsSeen) {
   // to 25 ms * 0.2 rad/s at half a metre.
   Solved plan = a_switch();
   plan.planned.trajectory.velocity(0, 50) += 0.2;
-  const auto before = worst_between(a_switch().uses, "tool path");
+  const auto before = worst_between(a_switch().uses, {LimitKind::kToolPath});
   const std::vector<LimitUse> uses = limit_uses(plan.task, plan.problem, plan.planned);
-  const auto after = worst_between(uses, "tool path");
+  const auto after = worst_between(uses, {LimitKind::kToolPath});
   ASSERT_NE(after.use, nullptr);
   EXPECT_LT(before.between, 1.5);
   EXPECT_GT(after.between, 2.0);
   EXPECT_GT(after.use->between_time, plan.motion().time[50]);
   EXPECT_LT(after.use->between_time, plan.motion().time[51]);
   EXPECT_NEAR(after.use->at_knots, 1.0, 1e-4);
-  EXPECT_EQ(worst_between(uses, "distance").use, nullptr) << "no clearance, no limit";
+  const std::vector<LimitKind> distances = {LimitKind::kObstacle, LimitKind::kCellPart, LimitKind::kFloor,
+                                            LimitKind::kLinks};
+  EXPECT_EQ(worst_between(uses, distances).use, nullptr) << "no clearance, no limit";
   EXPECT_THAT(between_words(uses), testing::AllOf(HasSubstr("torque of"), HasSubstr("gaze at most")));
 }
 

@@ -99,7 +99,8 @@ TEST_F(ToolMotionAlong, WhatTheArmCannotFollowIsRefusedWithTheFile) {
   offsets_[2] = Vec3(0.0, 0.0, 2.0);
   EXPECT_THAT(
       refusal(waypoints(write(1.5, false))),
-      AllOf(HasSubstr("waypoints.csv"), HasSubstr("leaves the workspace"), HasSubstr("move the waypoints")));
+      AllOf(HasSubstr("waypoints.csv"), HasSubstr("leaves the workspace"), HasSubstr("move the waypoints"),
+            testing::Not(HasSubstr("the path, or"))));  // advice for scenarios
 }
 
 TEST_F(ToolMotionAlong, BecomesAScenarioOfAControllersStudy) {
@@ -115,9 +116,28 @@ TEST_F(ToolMotionAlong, BecomesAScenarioOfAControllersStudy) {
   EXPECT_THAT(files.written, UnorderedElementsAre("study.yaml", "waypoints.yaml", "waypoints_motion.yaml"));
   EXPECT_THAT(files.notes,
               Contains(AllOf(HasSubstr("waypoints of the tool"), HasSubstr("waypoints_motion.yaml"))));
-  const Scenario scenario = load_study(files.study).scenarios.front();
+  const Study study = load_study(files.study);
+  const Scenario& scenario = study.scenarios.front();
   ASSERT_TRUE(scenario.planned);
   EXPECT_LT((pose_at(*scenario.planned, 1.5).p_0T - first_.p_0T - offsets_[1]).norm(), 1e-3);
+
+  // The tool's errors count in motions that are given for the tool, and nowhere else.
+  const auto tool_terms = [](const Study& of) {
+    std::vector<ObjectiveTerm> terms = of.terms;
+    std::erase_if(terms, [](const ObjectiveTerm& term) {
+      return term.metric != Metric::kToolErrorRms && term.metric != Metric::kToolErrorMax;
+    });
+    return terms;
+  };
+  EXPECT_EQ(tool_terms(study).size(), 2U);
+  inputs.trajectories.insert(inputs.trajectories.begin(),
+                             ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/moves.csv");
+  for (const ObjectiveTerm& term :
+       tool_terms(load_study(write_controller_study(inputs, folder_ / "both").value().study)))
+    EXPECT_THAT(term.scenarios, testing::ElementsAre(1U)) << name(term.metric);
+  inputs.trajectories.pop_back();
+  EXPECT_THAT(tool_terms(load_study(write_controller_study(inputs, folder_ / "joints").value().study)),
+              testing::IsEmpty());
 }
 
 }  // namespace tool_waypoints_test

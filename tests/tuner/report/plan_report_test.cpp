@@ -13,6 +13,7 @@
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
+#include "tuner/report/plan_recording.hpp"
 #include "tuner/report/run_report.hpp"
 
 namespace armtune::internal::report {
@@ -113,6 +114,28 @@ TEST(PlanReport, TimesCountFromThePlansStartAndActiveStretchesTouchTheLimit) {
     ++touched;
   }
   EXPECT_GT(touched, 20);
+}
+
+TEST(PlanReport, ADistanceIsDrawnWhereItsKindIsWhateverTheObstacleIsCalled) {
+  const auto columns_of = [](const std::string& name) {
+    std::vector<LimitUse> uses(4);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      uses[i].kind = static_cast<LimitKind>(static_cast<std::size_t>(LimitKind::kObstacle) + i);
+      uses[i].limit = name;
+    }
+    std::vector<std::string> columns;
+    for (const PlanLimit& limit :
+         plan_limits_of(CsvTable::parse(limits_csv(uses), "limits.csv"), nullptr, 0.0)) {
+      EXPECT_EQ(limit.group, "clearance");
+      columns.push_back(limit.column);
+    }
+    return columns;
+  };
+  for (const char* name : {"distance to ball", "distance to part of it", "distance to the floor"}) {
+    EXPECT_THAT(columns_of(name), testing::ElementsAre("obstacle/distance", "clearance/cell",
+                                                       "clearance/floor", "clearance/self"))
+        << name;
+  }
 }
 
 TEST(PlanReport, TheReplayPutsTheToolWhereThePlanHasIt) {

@@ -42,13 +42,15 @@ TEST(Scene, ReadsBackAsItWasWritten) {
   const TemporaryFolder folder;
   Scene scene =
       scene_of({test::scenario_of("obstacle_pass"), test::scenario_of("moving_target")},
-               {{"start", "start", "start/errors.csv"}, {"<b>tuned</b>", ".", "errors.csv"}}, 0.325);
+               {{"start", "start", "start/errors.csv"}, {"<b>tuned</b>", ".", "errors.csv", 3}}, 0.325);
   scene.scenarios[0].name = "</script> \"named\"";
   const std::string text = scene_json(scene);
   EXPECT_EQ(text.find('<'), std::string::npos);
   const Scene read = read_scene(folder.write("scene.json", text));
   EXPECT_EQ(scene_json(read), text);
   EXPECT_EQ(read.sets[1].name, "<b>tuned</b>");
+  EXPECT_EQ(read.sets[0].point, std::nullopt);
+  EXPECT_EQ(read.sets[1].point, 3);
   EXPECT_EQ(read.scenarios[0].name, "</script> \"named\"");
   EXPECT_EQ(read.arms.size(), 1U) << "one arm in both scenarios is written once";
   EXPECT_EQ(read.scenarios[0].influence_radius, 0.325);

@@ -73,6 +73,7 @@ TEST(FrontSection, OfASearchIsTheObjectiveAgainstTheWorstScenario) {
   EXPECT_THAT(front->points[0].values, ElementsAre(1.0, 1.1));
   EXPECT_THAT(front->points[1].values, ElementsAre(0.5, 0.85));
   EXPECT_EQ(front->points[0].role, "start");
+  EXPECT_EQ(front->points[0].label, "start") << "as the page relies on";
   EXPECT_FALSE(front->points[0].feasible);
   EXPECT_EQ(front->points[2].role, "chosen");
   const CsvTable none =
@@ -198,7 +199,7 @@ TEST_F(RobustnessSection, PutsTheWorstArmsAndTheLimitMostOftenBrokenFirst) {
   double largest = 0.0;
   for (const MonteCarloSample& sample : samples_) {
     for (std::size_t s = 0; s < 2; ++s) {
-      if (!sample.broken[s].empty()) {
+      if (!sample.broken[s].text.empty()) {
         largest = std::max(largest, sample.results[s].metrics[Metric::kJointVelocityMaxRatio]);
       }
     }

@@ -168,9 +168,6 @@ TEST(Verdict, OfAnInterruptedRunSaysSoFirst) {
   facts.run["ended"] = "stopped by a signal";
   facts.run["interrupted"] = "true";
   EXPECT_THAT(verdict_of(tuned_data(), facts).sentence, testing::StartsWith("Interrupted"));
-  facts.run.erase("interrupted");  // as older versions had it
-  facts.run["ended"] = "interrupted";
-  EXPECT_THAT(verdict_of(tuned_data(), facts).sentence, testing::StartsWith("Interrupted"));
   facts.run["ended"] = "the phase 'interrupted' used up its budget";
   facts.run["interrupted"] = "false";
   EXPECT_THAT(verdict_of(tuned_data(), facts).sentence, Not(HasSubstr("Interrupted")));

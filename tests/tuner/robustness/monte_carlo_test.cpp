@@ -69,8 +69,8 @@ TEST_F(MonteCarlo, TheSummaryNamesTheWorstSampleOfEveryMetric) {
   const auto samples = monte_carlo(scenarios_, gains_, options_, kNever);
   int seen = 0;
   for (const MetricSpread& spread : spreads(samples, 0)) {
-    const bool large_is_good =
-        spread.metric == Metric::kJointPositionMinMargin || spread.metric == Metric::kSamples;
+    const bool large_is_good = spread.metric == Metric::kJointPositionMinMargin ||
+                               spread.metric == Metric::kClearanceSelf || spread.metric == Metric::kSamples;
     for (const MonteCarloSample& sample : samples) {
       const double value = sample.results[0].metrics[spread.metric];
       if (large_is_good) {
@@ -112,7 +112,7 @@ struct Awkward {
     for (std::size_t k = 0; k < samples.size(); ++k) {
       samples[k].number = k + (std::uint64_t{1} << 60U);
       samples[k].results.resize(2);
-      samples[k].broken = {k == 0 ? test::kFormula : "", k == 1 ? test::kAwkwardText : ""};
+      samples[k].broken = {{k == 0 ? test::kFormula : "", {}}, {k == 1 ? test::kAwkwardText : "", {}}};
       for (std::size_t s = 0; s < 2; ++s) {
         RolloutResult& result = samples[k].results[s];
         if (k == 3) result.status = RolloutStatus::kDiverged;
@@ -134,7 +134,7 @@ TEST(SamplesCsv, ReadsBackToTheBitAndIsEmptyWithItsStatus) {
       read.text(row, "sample", std::to_string(sample.number));
       read.text(row, "scenario", a.scenarios[s].name);
       read.text(row, "status", name(result.status));
-      read.text(row, "broken_limit", sample.broken[s]);
+      read.text(row, "broken_limit", sample.broken[s].text);
       read.text(row, "joint_velocity/max_ratio_joint", result.metrics.max_ratio_joint);
       for (const Metric m : all_metrics()) read.number(row, name(m), result.metrics[m]);
       const auto drawn =
@@ -212,29 +212,31 @@ TEST(Limits, AreReadAndToldApart) {
   const Scenario obstacles = load_scenario("obstacle_pass");
   RolloutResult result;
   result.metrics[Metric::kJointVelocityMaxRatio] = 0.91;
-  EXPECT_EQ(broken_limit(result, {limit}, plain), "joint_velocity/max_ratio <= 0.9");
+  EXPECT_EQ(broken_limit(result, {limit}, plain).text, "joint_velocity/max_ratio <= 0.9");
+  EXPECT_EQ(broken_limit(result, {limit}, plain).metric, Metric::kJointVelocityMaxRatio);
   result.metrics[Metric::kJointVelocityMaxRatio] = 0.9;
-  EXPECT_EQ(broken_limit(result, {limit}, plain), "");
-  EXPECT_EQ(broken_limit(result, {parse_limit("obstacle/min_clearance>=0.1")}, plain), "")
+  EXPECT_EQ(broken_limit(result, {limit}, plain).text, "");
+  EXPECT_EQ(broken_limit(result, {parse_limit("obstacle/min_clearance>=0.1")}, plain).text, "")
       << "without obstacles";
-  EXPECT_EQ(broken_limit(result, {parse_limit("obstacle/min_clearance>=0.1")}, obstacles),
+  EXPECT_EQ(broken_limit(result, {parse_limit("obstacle/min_clearance>=0.1")}, obstacles).text,
             "obstacle/min_clearance >= 0.1")
       << "no value where there should be one";
-  EXPECT_EQ(broken_limit(result, {parse_limit("response/rise_time<=1")}, load_scenario("step_position")),
+  EXPECT_EQ(broken_limit(result, {parse_limit("response/rise_time<=1")}, load_scenario("step_position")).text,
             "response/rise_time <= 1")
       << "it never rose";
   result.metrics[Metric::kObstacleMinClearance] = 0.05;
-  EXPECT_EQ(broken_limit(result, {limit, parse_limit("obstacle/min_clearance>=0.1")}, obstacles),
+  EXPECT_EQ(broken_limit(result, {limit, parse_limit("obstacle/min_clearance>=0.1")}, obstacles).text,
             "obstacle/min_clearance >= 0.1");
   // A loop that chatters from torque bound to torque bound may keep every other limit.
   const auto allowed = static_cast<double>(saturated_periods_allowed(plain));
   EXPECT_GT(allowed, 100.0);
   result.metrics[Metric::kJointEffortSaturatedPeriods] = allowed;
-  EXPECT_EQ(broken_limit(result, {limit}, plain), "");
+  EXPECT_EQ(broken_limit(result, {limit}, plain).text, "");
   result.metrics[Metric::kJointEffortSaturatedPeriods] = allowed + 1.0;
-  EXPECT_EQ(broken_limit(result, {limit}, plain), "torque saturated in over 1 % of the periods");
+  EXPECT_EQ(broken_limit(result, {limit}, plain).text, "torque saturated in over 1 % of the periods");
+  EXPECT_EQ(broken_limit(result, {limit}, plain).metric, std::nullopt) << "it has no limit of its own";
   result.status = RolloutStatus::kDiverged;
-  EXPECT_EQ(broken_limit(result, {limit}, plain), "diverged");
+  EXPECT_EQ(broken_limit(result, {limit}, plain).text, "diverged");
 }
 
 TEST(Limits, WhatIsNoneIsRefused) {

@@ -34,12 +34,12 @@ class Parameters : public testing::Test {
   double at(const std::vector<double>& x, const std::string& name) const {
     return value(space_.gains_at(x), entry(name));
   }
-  /// Message with which the space is refused after a change to its first parameter.
+  /// The error with which the space is refused after a change to its first parameter.
   template <typename Change>
-  std::string refusal_after(Change&& change) const {
+  InputError refusal_after(Change&& change) const {
     ParameterSpace changed = space_;
     change(changed.free[0]);
-    return test::refusal([&] { validate(changed, "study.yaml"); });
+    return test::input_error([&] { validate(changed, "study.yaml"); });
   }
 
   std::vector<std::string> joints_;
@@ -120,23 +120,26 @@ TEST_F(Parameters, ALinkedGainFollowsByItsFactorAndTheOthersStay) {
 }
 
 TEST_F(Parameters, WhatDoesNotFitIsRefusedByName) {
-  using testing::AllOf;
-  using testing::HasSubstr;
   EXPECT_NO_THROW(validate(space_, "study.yaml"));
-  const auto named = [](const char* what) {
-    return AllOf(testing::StartsWith("study.yaml"), HasSubstr("task_space_gains_p/rx"), HasSubstr(what));
+  const auto with = [](const std::string& value, const std::string& limit) {
+    return test::refused_at(
+        {.file = "study.yaml", .key = "task_space_gains_p/rx", .value = value, .limit = limit});
   };
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = 90.0; }), named("not below upper bound 80"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper; }), named("'fixed: 80'"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper = p.start = 0.0; }), named("'upper'"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.upper = HUGE_VAL; }), named("bound"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = std::nan(""); }), named("bound"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = -1.0; }), named("negative"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = 0.0; }), named("log"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.start = 4.9; }),
-              named("start 4.9 lies outside its bounds 5 .. 80"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.start = std::nan(""); }), named("start"));
-  EXPECT_THAT(test::refusal([] { validate(ParameterSpace{}, "study.yaml"); }), HasSubstr("no parameter"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = 90.0; }), with("90", "below the upper bound 80"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper; }), with("80", "below the upper bound 80"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper = p.start = 0.0; }), with("", ""));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.upper = HUGE_VAL; }), with("inf", "finite"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = std::nan(""); }),
+              with("nan", "below the upper bound 80"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = -1.0; }), with("-1", "not negative"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = 0.0; }), with("0", "above zero"));
+  const InputError low = refusal_after([](Parameter& p) { p.start = 4.9; });
+  EXPECT_THAT(low, with("4.9", "5 to 80"));
+  EXPECT_STREQ(low.what(),
+               "study.yaml: parameter task_space_gains_p/rx: start 4.9 lies outside its bounds 5 .. 80; give "
+               "a 'start' between them, or other bounds");
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.start = std::nan(""); }), with("nan", "5 to 80"));
+  EXPECT_THAT([] { validate(ParameterSpace{}, "study.yaml"); }, test::refused_at({.file = "study.yaml"}));
 }
 
 TEST_F(Parameters, BoundsThatAreAcceptedGiveFiniteGainsEverywhere) {
@@ -146,10 +149,9 @@ TEST_F(Parameters, BoundsThatAreAcceptedGiveFiniteGainsEverywhere) {
       ParameterSpace space = space_;
       space.free[0].lower = lower;
       space.free[0].upper = upper;
-      const std::string message = test::refusal([&] { validate(space, "study.yaml"); });
-      if (message != "nothing was refused") {
-        EXPECT_THAT(message, testing::AllOf(testing::HasSubstr("study.yaml"),
-                                            testing::HasSubstr("task_space_gains_p/rx")));
+      const InputError error = test::input_error([&] { validate(space, "study.yaml"); });
+      if (!error.place().file.empty()) {
+        EXPECT_THAT(error, test::refused_at({.file = "study.yaml", .key = "task_space_gains_p/rx"}));
         continue;
       }
       ++accepted;

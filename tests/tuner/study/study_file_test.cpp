@@ -74,8 +74,8 @@ TEST(StudyFile, OfAnotherControllerTunesThatOnesGainsFromTheirStart) {
     for (const Parameter& p : study.space.free) tuned.emplace_back(p.entry.field->name);
     for (const GainField& field : kind->own) {
       // Factors on a start of zero are none.
-      const bool searched =
-          field.search != SearchRange::kNone && !own(study.space.start, field.name).isZero(0.0);
+      const bool searched = field.search != SearchRange::kNone && field.search != SearchRange::kBounded &&
+                            !own(study.space.start, field.name).isZero(0.0);
       EXPECT_EQ(std::count(tuned.begin(), tuned.end(), field.name) > 0, searched) << kind->name << field.name;
     }
     EXPECT_THAT(tuned, testing::Not(testing::Contains("task_space_gains_d")));
@@ -106,7 +106,7 @@ TEST(StudyFile, GainsOfTheToolsMotionAreNotTunedWhereJointMotionsAreFollowedAlon
 }
 
 TEST(StudyFile, NamesItsController) {
-  const std::string named = "controller: impedance\nparameters: [{name: impedance_k/x}]\n";
+  const std::string named = "controller: impedance\nparameters: [{name: impedance_k/x, upper: 1e5}]\n";
   const Study study = parameters_study(named);
   ASSERT_EQ(study.space.free.size(), 1U);
   EXPECT_EQ(study.space.free[0].entry.name, "impedance_k/x");

@@ -72,6 +72,15 @@ TEST(StudyFile, SearchKeysThatDoNotFitAreRefusedWithTheirLine) {
   EXPECT_THAT(search("difference_step: 0"), HasSubstr("difference_step"));
 }
 
+// The default bounds are multiples of the start, so that there is nothing between them.
+TEST(StudyFile, AParameterThatStartsAtZeroNeedsBoundsOfItsOwn) {
+  const std::string parameter = "parameters:\n  - {name: adaptation_gain, start: 0";
+  EXPECT_THAT(refusal(parameter + "}\n"), AllOf(HasSubstr("parameter adaptation_gain"),
+                                                HasSubstr("start value is 0"), HasSubstr("'upper'")));
+  const ShortStudy bounded(parameter + ", lower: 0, upper: 0.1, scale: linear}\n");
+  EXPECT_EQ(load_study(bounded.path()).space.free[0].start, 0.0);
+}
+
 TEST(StudyFile, UnknownControllersAndGainsOfOthersAreRefused) {
   EXPECT_THAT(refusal("controller: impedance\n" + test::kShortParameters),
               AllOf(HasSubstr("task_space_gains_p/rx"), HasSubstr("is not a gain")));

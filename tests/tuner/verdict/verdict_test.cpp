@@ -132,6 +132,10 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
   EXPECT_THAT(assumed(),
               AllOf(HasSubstr("the rotor inertia that ur10's robot file gives"), Not(HasSubstr("stops"))));
   RobotModel robot = *scenario.robot;
+  robot.estimated_rotors = joint_names(robot);
+  scenario.robot = std::make_shared<const RobotModel>(robot);
+  EXPECT_THAT(assumed(), HasSubstr("the rotor inertia of all joints of ur10 is an estimate"));
+  robot.estimated_rotors.clear();
   robot.chain.rotor_inertia[5] = 0.0;
   scenario.robot = std::make_shared<const RobotModel>(robot);
   EXPECT_THAT(assumed(), HasSubstr("no rotor inertia for wrist_3_joint of ur10"));
@@ -329,13 +333,13 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   const std::vector<Scenario> franka = {test::scenario_of("panda_realistic_moving_target")};
   add_controller_assumption(franka, gains, verdict);
   EXPECT_TRUE(verdict.assumes.empty());
-  gains.controller = "joint_trajectory_controller";
+  change_controller(gains, "joint_trajectory_controller", 6);
   add_controller_assumption({test::scenario_of("moving_target")}, gains, verdict);
   EXPECT_THAT(verdict.assumes, ElementsAre(HasSubstr("an empty integral")));
   add_controller_assumption(franka, gains, verdict);
   EXPECT_THAT(verdict.assumes, ElementsAre(HasSubstr("an empty integral"), HasSubstr("compensates gravity")));
   verdict.assumes.clear();
-  gains.controller = "joint_trajectory_controller_velocity";
+  change_controller(gains, "joint_trajectory_controller_velocity", 6);
   add_controller_assumption({test::scenario_of("moving_target")}, gains, verdict);
   EXPECT_THAT(verdict.assumes,
               ElementsAre(HasSubstr("bandwidth of 60 rad/s"), HasSubstr("an empty integral")));
@@ -360,6 +364,20 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   EXPECT_THAT(verdict.assumes,
               ElementsAre(HasSubstr("bandwidth of 60 rad/s"),
                           AllOf(HasSubstr("docs/position_streaming.md"), HasSubstr("17.5"))));
+  // Values of the drives that the robot's file gives.
+  EXPECT_THAT(verdict.not_checked, testing::Contains(HasSubstr("delays inside the drives")));
+  Scenario known = test::scenario_of("moving_target");
+  RobotModel robot = *known.robot;
+  robot.drive_position_gain = JointVector::Constant(6, 20.0);
+  robot.drive_delay = JointVector::Constant(6, 0.001);
+  robot.drive_rate = 250.0;
+  known.robot = std::make_shared<const RobotModel>(robot);
+  own(gains, "servo_position_gain")[0] = 30.0;
+  SimulationVerdict of_known;
+  add_controller_assumption({known}, gains, of_known);
+  EXPECT_THAT(of_known.assumes,
+              ElementsAre(HasSubstr("250 Hz"), HasSubstr("2 times the gains that the robot's file gives")));
+  EXPECT_THAT(of_known.not_checked, testing::Not(testing::Contains(HasSubstr("delays inside the drives"))));
 }
 
 }  // namespace verdict_verdict_test

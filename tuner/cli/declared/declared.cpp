@@ -32,9 +32,7 @@ DeclaredOption declared_option(const CLI::Option& option) {
     for (const std::string& name : option.get_snames()) made.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) made.names.push_back("--" + name);
   }
-  // If an option may be given without a value, CLI11's default is the value that it then has, not the value
-  // without the option.
-  if (option.get_items_expected_min() > 0) made.otherwise = option.get_default_str();
+  made.otherwise = default_of(option);
   made.meaning = option.get_description();
   made.required = option.get_required();
   made.many = option.get_items_expected_max() > 1;
@@ -60,6 +58,13 @@ DeclaredProgram declared(const CLI::App& app, const std::string& name) {
     while (command.footer.ends_with('\n')) command.footer.pop_back();
   }
   return program;
+}
+
+std::string default_of(const CLI::Option& option) {
+  // If an option may be given without a value, CLI11's default is the value that it then has, not the value
+  // without the option.
+  const bool value_is_optional = option.get_items_expected_min() == 0 && option.get_items_expected_max() > 0;
+  return value_is_optional ? std::string() : option.get_default_str();
 }
 
 std::string bundled_kind(const DeclaredOption& option) {

@@ -7,7 +7,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace armtune::internal::cli {
 
@@ -36,6 +37,10 @@ struct DeclaredProgram {
 };
 
 DeclaredProgram declared(const CLI::App& app, const std::string& name);
+
+/// Returns the value that an option has if it is not given, as a value or in words; empty if none is
+/// declared.
+std::string default_of(const CLI::Option& option);
 
 /// Returns the folder of bundled data, such as "studies", if the value of the option can be the name of a
 /// file in this folder; otherwise an empty text. The option may be a positional argument.

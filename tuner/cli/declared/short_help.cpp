@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "tuner/cli/declared/declared.hpp"
+
 namespace armtune::internal::cli {
 namespace {
 
@@ -66,19 +68,12 @@ std::string names_of(const std::set<CLI::Option*>& options) {
   return names;
 }
 
-/// Returns the conditions that help shows in brackets after the description of an option. default_in_words:
-/// what the description says of the default, or empty.
-std::vector<std::string> conditions(const CLI::Option& option, const std::string& default_in_words) {
+/// Returns the conditions that help shows in brackets after the description of an option.
+std::vector<std::string> conditions(const CLI::Option& option) {
   std::vector<std::string> all;
   if (option.get_required()) all.emplace_back("required");
   if (const std::string limits = value_type(option).limits; !limits.empty()) all.push_back(limits);
-  // If an option may be given without a value, CLI11's default is the value that it then has, not the value
-  // without the option.
-  const bool told =
-      option.get_description().find("default:") != std::string::npos || !option.get_option_text().empty();
-  if (const std::string value = option.get_default_str(); !value.empty() && !told)
-    all.push_back("default: " + value);
-  if (!default_in_words.empty()) all.push_back(default_in_words);
+  if (const std::string value = default_of(option); !value.empty()) all.push_back("default: " + value);
   if (!option.get_needs().empty()) all.push_back("only with " + names_of(option.get_needs()));
   if (!option.get_excludes().empty()) all.push_back("not with " + names_of(option.get_excludes()));
   return all;
@@ -128,13 +123,8 @@ class HelpFormatter final : public CLI::Formatter {
   }
 
   std::string make_option_desc(const CLI::Option* option) const override {
-    std::string text = option->get_description();
-    std::string default_in_words;
-    if (const auto at = text.rfind("(default: "); at != std::string::npos && text.ends_with(')')) {
-      default_in_words = text.substr(at + 1, text.size() - at - 2);
-      text.resize(at == 0 ? 0 : at - 1);  // without the blank in front
-    }
-    const std::vector<std::string> more = conditions(*option, default_in_words);
+    const std::string text = option->get_description();
+    const std::vector<std::string> more = conditions(*option);
     if (more.empty()) return wrapped(text);
     return wrapped(fmt::format("{}{}({})", text, text.empty() ? "" : " ", fmt::join(more, "; ")));
   }
@@ -175,6 +165,11 @@ class HelpFormatter final : public CLI::Formatter {
 
 const std::vector<ShortHelp>& short_helps() {
   static const std::vector<ShortHelp> all = {
+      {"init",
+       {{"What is tuned", {"--robot", "--controllers", "--node", "--distro", "--controller", "--rate"}},
+        {"Search", {"--max-stiffness"}},
+        {"Motions", {"--trajectory", "--degrees"}},
+        {"Results", {"--out"}}}},
       {"simulate",
        {{"What is simulated", {"--gains", "--theta", "--endurance", "--yardstick"}},
         {"Results", {"--out"}},

@@ -16,7 +16,7 @@
 namespace armtune::internal {
 namespace {
 
-constexpr long kShownEvery = 20000;  ///< samples between two progress reports
+constexpr long kSamplesShown = 20000;  ///< samples between two progress reports
 
 /// Returns the reasons why the logs may not be of this arm. If there is a likely mistake, it is returned
 /// alone, because everything else follows from it. Otherwise these are the doubts about the result.
@@ -40,8 +40,8 @@ IdentifyOutcome IdentifySession::run() {
   const std::string& folder = settings_.folder;
   const FolderLock lock = make_run_folder(folder);
   settings_.options.progress = [this, shown = -1L](int pass, std::size_t log, long samples) mutable {
-    if (samples / kShownEvery == shown) return;
-    shown = samples / kShownEvery;
+    if (samples / kSamplesShown == shown) return;
+    shown = samples / kSamplesShown;
     observer_.progressed({fmt::format("pass {}, log {} of {}, {} samples", pass + 1, log + 1,
                                       settings_.logs.size(), samples)});
   };
@@ -79,7 +79,7 @@ void IdentifySession::write_files() {
   write_text_file(folder + "/theta.yaml", theta_yaml(model, found.theta, header));
   write_text_file(folder + "/base_parameters.csv", base_parameters_csv(model, found));
   write_text_file(folder + "/robot.urdf", urdf_text(identified));
-  write_text_file(folder + "/robot.yaml", robot_yaml(identified, "robot.urdf"));
+  write_text_file(folder + "/robot.yaml", identified_robot_yaml(identified, "robot.urdf"));
   Provenance p;
   p.command = context_.invocation.line;
   for (std::size_t i = 0; i < settings_.logs.size(); ++i)

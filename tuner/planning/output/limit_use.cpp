@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "tuner/planning/transcription/arm_terms.hpp"
-#include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -71,11 +70,12 @@ class Limits {
   std::vector<Measured> take() { return std::move(found_); }
 
  private:
-  void add(const std::string& limit, const std::string& part, const std::string& unit, double lower,
-           double upper, Eigen::Index first, Eigen::Index last,
+  void add(LimitKind kind, const std::string& limit, const std::string& part, const std::string& unit,
+           double lower, double upper, Eigen::Index first, Eigen::Index last,
            std::function<double(const PlanSample&)> value) {
     if (!std::isfinite(lower) && !std::isfinite(upper)) return;
     Measured measured;
+    measured.use.kind = kind;
     measured.use.limit = limit;
     measured.use.part = part;
     measured.use.unit = unit;
@@ -98,39 +98,43 @@ class Limits {
     for (int i = 0; i < robot_.n(); ++i) {
       const Coordinate& c = coordinates[static_cast<std::size_t>(i)];
       const std::string length = turns(i) ? "rad" : "m";
-      add("position", c.name, length, c.lower, c.upper, 0, last_,
-          [i](const PlanSample& at) { return at.q[i]; });
-      add("velocity", c.name, length + "/s", c.lowest_velocity(), c.velocity, 0, last_,
-          [i](const PlanSample& at) { return at.qd[i]; });
-      add("acceleration", c.name, length + "/s^2", -c.acceleration, c.acceleration, 0, last_,
-          [i](const PlanSample& at) { return at.qdd[i]; });
-      add("jerk", c.name, length + "/s^3", -c.jerk, c.jerk, 0, last_,
-          [i](const PlanSample& at) { return at.jerk[i]; });
+      const auto add_one = [&](LimitKind kind, const std::string& unit, double lower, double upper,
+                               std::function<double(const PlanSample&)> value) {
+        add(kind, name(kind), c.name, unit, lower, upper, 0, last_, std::move(value));
+      };
+      add_one(LimitKind::kPosition, length, c.lower, c.upper, [i](const PlanSample& at) { return at.q[i]; });
+      add_one(LimitKind::kVelocity, length + "/s", c.lowest_velocity(), c.velocity,
+              [i](const PlanSample& at) { return at.qd[i]; });
+      add_one(LimitKind::kAcceleration, length + "/s^2", -c.acceleration, c.acceleration,
+              [i](const PlanSample& at) { return at.qdd[i]; });
+      add_one(LimitKind::kJerk, length + "/s^3", -c.jerk, c.jerk,
+              [i](const PlanSample& at) { return at.jerk[i]; });
     }
   }
 
   /// Adds the limits of a term. Names and knots are the term's. The values are computed from samples.
   void add_term(const KnotTerm& term) {
+    if (!term.kind) return;
+    const LimitKind kind = *term.kind;
     const auto values = std::make_shared<TermValues>(term);
     for (std::size_t row = 0; row < term.rows.size(); ++row) {
       const std::string& part = term.rows[row];
-      if (term.name == kept_words::kTorque) {
+      if (kind == LimitKind::kTorque) {
         const auto i = static_cast<int>(row);
         const double limit = task_.limits.effort * robot_.joints[row].limits.effort;
-        add(term.name, part, turns(i) ? "N m" : "N", -limit, limit, term.first_knot, term.last_knot,
+        add(kind, term.name, part, turns(i) ? "N m" : "N", -limit, limit, term.first_knot, term.last_knot,
             [i](const PlanSample& at) { return at.tau[i]; });
-      } else if (term.name == kept_words::kToolPath) {
+      } else if (kind == LimitKind::kToolPath) {
         const auto axis = static_cast<Eigen::Index>(row);
-        add(term.name, part, "m", -task_.path_tolerance, task_.path_tolerance, term.first_knot,
+        add(kind, term.name, part, "m", -task_.path_tolerance, task_.path_tolerance, term.first_knot,
             term.last_knot, [axis](const PlanSample& at) { return at.poses.p_0T[axis] - at.desired[axis]; });
-      } else if (term.name == kept_words::kGaze) {
-        add(term.name, part, "rad", -kInfinity, task_.gaze_threshold, term.first_knot, term.last_knot,
+      } else if (kind == LimitKind::kGaze) {
+        add(kind, term.name, part, "rad", -kInfinity, task_.gaze_threshold, term.first_knot, term.last_knot,
             [](const PlanSample& at) { return at.gaze; });
-      } else if (term.name.starts_with(kept_words::kDistanceTo) ||
-                 term.name == kept_words::kDistanceBetweenLinks) {
-        const bool links = term.name == kept_words::kDistanceBetweenLinks;
-        const double kept = links ? std::min(task_.clearance, kBetweenLinks) : task_.clearance;
-        add(term.name, part, "m", kept, kInfinity, term.first_knot, term.last_knot,
+      } else if (is_distance(kind)) {
+        const double kept =
+            kind == LimitKind::kLinks ? std::min(task_.clearance, kBetweenLinks) : task_.clearance;
+        add(kind, term.name, part, "m", kept, kInfinity, term.first_knot, term.last_knot,
             [values, row](const PlanSample& at) { return values->at(at, row); });
       }
     }
@@ -187,10 +191,10 @@ std::vector<LimitUse> limit_uses(const PlanTask& task, const PlanProblem& proble
   return uses;
 }
 
-WorstUse worst_between(const std::vector<LimitUse>& uses, const std::string& kind) {
+WorstUse worst_between(const std::vector<LimitUse>& uses, const std::vector<LimitKind>& kinds) {
   WorstUse worst;
   for (const LimitUse& use : uses) {
-    const bool is = use.limit == kind || use.limit.starts_with(kind + " ");
+    const bool is = std::find(kinds.begin(), kinds.end(), use.kind) != kinds.end();
     if (is && use.from < use.to && (worst.use == nullptr || use.between > worst.between))
       worst = {&use, use.between};
   }

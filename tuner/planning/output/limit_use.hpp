@@ -4,6 +4,7 @@
 // motion may exceed these limits between knots, so this must be measured.
 
 #include <limits>
+#include <vector>
 
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/output/plan_sample.hpp"
@@ -12,8 +13,8 @@ namespace armtune::internal {
 
 /// The use of one limit of one joint or axis.
 struct LimitUse {
-  std::string limit;  ///< "position", "velocity", "acceleration", "jerk", "torque", "tool path", "gaze",
-                      ///< "distance to ...", "distance between links"
+  LimitKind kind = LimitKind::kPosition;
+  std::string limit;  ///< its name, such as "torque"; for a distance with the object, "distance to the floor"
   std::string part;   ///< the joint or axis
   std::string unit;
   double lower = -std::numeric_limits<double>::infinity();  ///< in `unit`
@@ -32,11 +33,11 @@ struct LimitUse {
 std::vector<LimitUse> limit_uses(const PlanTask& task, const PlanProblem& problem,
                                  const PlannedTrajectory& planned);
 
-/// The largest use, between knots, of all limits of one kind, such as "torque" or "distance".
+/// The largest use, between knots, of all limits of some kinds.
 struct WorstUse {
-  const LimitUse* use = nullptr;  ///< one of the uses that were given; null: no limit of this kind
+  const LimitUse* use = nullptr;  ///< one of the uses that were given; null: no limit of these kinds
   double between = 0.0;
 };
-WorstUse worst_between(const std::vector<LimitUse>& uses, const std::string& kind);
+WorstUse worst_between(const std::vector<LimitUse>& uses, const std::vector<LimitKind>& kinds);
 
 }  // namespace armtune::internal

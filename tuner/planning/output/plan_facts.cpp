@@ -6,15 +6,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tuner/record/words.hpp"
 #include "tuner/report/plan_recording.hpp"
 
 namespace armtune::internal {
 namespace {
 
-/// The limits that the program enforces at the knots only.
-constexpr const char* kBetween[] = {kept_words::kTorque, kept_words::kToolPath, kept_words::kGaze,
-                                    "distance"};
+/// Limits that the program enforces at the knots only.
+struct AtKnotsOnly {
+  const char* key;  ///< part of a key of run.yaml
+  std::vector<LimitKind> kinds;
+};
+
+const std::vector<AtKnotsOnly>& at_knots_only() {
+  static const std::vector<AtKnotsOnly> all = {
+      {"torque", {LimitKind::kTorque}},
+      {"tool_path", {LimitKind::kToolPath}},
+      {"gaze", {LimitKind::kGaze}},
+      {"distance", {LimitKind::kObstacle, LimitKind::kCellPart, LimitKind::kFloor, LimitKind::kLinks}}};
+  return all;
+}
 
 constexpr double kTellingSmoothness = 1e-3;  // share of the duration above which smoothness is reported
 constexpr double kSwitchRoom = 1e-6;         // s, tolerance in comparisons with the time of a switch
@@ -81,12 +91,11 @@ std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& pro
 
 std::string between_words(const std::vector<LimitUse>& uses) {
   std::vector<std::string> parts;
-  for (const char* kind : kBetween) {
-    const WorstUse worst = worst_between(uses, kind);
+  for (const AtKnotsOnly& limits : at_knots_only()) {
+    const WorstUse worst = worst_between(uses, limits.kinds);
     if (worst.use == nullptr) continue;
-    const bool distance = std::string(kind) == "distance";
     // For a distance, the share is limit / value.
-    parts.push_back(distance
+    parts.push_back(is_distance(worst.use->kind)
                         ? fmt::format("{} at least {:.4f} times the required clearance", worst.use->limit,
                                       1.0 / worst.between)
                         : fmt::format("{} at most {:.4f} times its limit",
@@ -120,14 +129,13 @@ std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& ta
       {"kkt_stationarity", fmt::format("{:.3g}", last.stationarity)},
       {"kkt_complementarity", fmt::format("{:.3g}", last.complementarity)},
       {"interior_point_steps", std::to_string(planned.interior_iterations)}};
-  for (const char* kind : kBetween) {
-    const WorstUse worst = worst_between(uses, kind);
+  for (const AtKnotsOnly& limits : at_knots_only()) {
+    const WorstUse worst = worst_between(uses, limits.kinds);
     if (worst.use == nullptr) continue;
-    std::string key = fmt::format("between_knots_{}", kind);
-    std::replace(key.begin(), key.end(), ' ', '_');
     entries.emplace_back(
-        key, fmt::format("{:.6g} times the limit, {} at {:.4f} s", worst.between,
-                         report::limit_words(worst.use->limit, worst.use->part), worst.use->between_time));
+        fmt::format("between_knots_{}", limits.key),
+        fmt::format("{:.6g} times the limit, {} at {:.4f} s", worst.between,
+                    report::limit_words(worst.use->limit, worst.use->part), worst.use->between_time));
   }
   return entries;
 }

@@ -62,9 +62,9 @@ std::string limits_csv(const std::vector<LimitUse>& uses) {
   for (const Column& column : limits_columns()) text += (text.empty() ? "" : ",") + column.name;
   text += '\n';
   for (const LimitUse& use : uses) {
-    text += text_cell(use.limit) + "," + text_cell(use.part) + "," + text_cell(use.unit) + "," +
-            cell(use.lower) + "," + cell(use.upper) + "," + cell(use.from) + "," + cell(use.to) + "," +
-            cell(use.at_knots) + "," +
+    text += text_cell(use.limit) + "," + text_cell(name(use.kind)) + "," + text_cell(use.part) + "," +
+            text_cell(use.unit) + "," + cell(use.lower) + "," + cell(use.upper) + "," + cell(use.from) + "," +
+            cell(use.to) + "," + cell(use.at_knots) + "," +
             // A limit that applies at a single knot has no value between knots.
             (use.from < use.to ? cell(use.between) : "") + "," + cell(use.share) + "," + cell(use.strength) +
             "," + stretches(use, false) + "," + stretches(use, true) + "\n";
@@ -73,7 +73,12 @@ std::string limits_csv(const std::vector<LimitUse>& uses) {
 }
 
 std::vector<Column> limits_columns() {
-  return {{"limit", "", "kind of limit", {}},
+  return {{"limit", "", "name of the limit", {}},
+          {"kind",
+           "",
+           "kind of limit: position, velocity, acceleration, jerk, torque, tool path, gaze, or the distance "
+           "to obstacle, cell part, floor, or between links",
+           {}},
           {"part", "", "joint, axis or link that the limit applies to", {}},
           {"unit", "", "unit of lower and upper", {}},
           {"lower", "", "lower limit of the task; empty if there is none", {}},

@@ -37,12 +37,11 @@ Scenario task_of(const ToolWaypoints& waypoints) {
   return task;
 }
 
-/// Throws InputError if the arm cannot follow the task. The advice of `trouble` is for scenarios.
+/// Throws InputError if the arm cannot follow the task. The advice of a WalkTrouble is for scenarios.
 void check_walk(const PathWalk& walk, const Scenario& task) {
-  const std::string text = trouble(walk, task);
-  if (text.empty()) return;
-  throw InputError(InputPlace{task.source}, fmt::format("{}; move the waypoints, or give a joint motion",
-                                                        text.substr(0, text.rfind("; "))));
+  const std::string problem = trouble(walk, task).problem;
+  if (problem.empty()) return;
+  throw InputError(InputPlace{task.source}, problem + "; move the waypoints, or give a joint motion");
 }
 
 /// Throws InputError if a joint moves faster than its limit.

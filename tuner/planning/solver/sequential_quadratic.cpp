@@ -45,20 +45,16 @@ class Solver {
     ViolationPrice price(program_.bounds, options_.violation, y);
     charge(price);
     now.damping = options_.damping;
-    double mu = warm ? 1e-4 : 1.0;
-    bool untried = false;  // true if no step was found since the price was raised
+    mu_ = warm ? 1e-4 : 1.0;
     program_.linearize(z, residual_, row_);
     for (;; ++now.iteration) {
       measure(z, y, now);
-      if (now.stationarity <= options_.stationarity && now.violation <= options_.violation &&
-          now.complementarity <= options_.complementarity) {
+      if (now.violation <= options_.violation && is_optimal(now, 1.0)) {
         result.status = PlanStatus::kSolved;
         break;
       }
       // Multipliers as large as penalties cause larger rounding errors.
-      const double rounding = std::max(1.0, 0.1 * y.lpNorm<Eigen::Infinity>());
-      const bool settled = now.stationarity <= rounding * options_.stationarity &&
-                           now.complementarity <= rounding * options_.complementarity;
+      const bool settled = is_optimal(now, std::max(1.0, 0.1 * y.lpNorm<Eigen::Infinity>()));
       const bool stuck = price.no_less_violated(now.iteration, row_);
       if ((settled || stuck) && price.paid(row_, y)) {
         // The violations remain at this price. If it is the highest, the problem is infeasible.
@@ -66,34 +62,28 @@ class Solver {
           result.status = PlanStatus::kInfeasible;
           break;
         }
-        price.raise();
-        charge(price);
-        untried = true;
-        mu = 1.0;
+        raise(price);
       }
       // Subproblems of long trajectories take long, so the observer is called in each of their iterations.
       const auto go_on = [&] { return !(stopped_ = observer && !observer(now)); };
       const bool last = now.iteration == options_.max_iterations;
-      if (last || !advance(z, y, mu, now, go_on)) {
+      if (last || !advance(z, y, now, go_on)) {
         if (stopped_) {
           result.status = PlanStatus::kInterrupted;
           break;
         }
         const bool paid = price.paid(row_, y);
         if (!last && paid && !price.highest()) {  // no progress at this price
-          price.raise();
-          charge(price);
-          untried = true;
+          raise(price);
           now.damping = options_.damping;
-          mu = 1.0;
           continue;
         }
         // No progress. If violated rows have reached the highest penalties, or no step was found with them,
         // the problem counts as infeasible, although the tolerances are not met.
-        if (price.highest() && (paid || (untried && !last))) result.status = PlanStatus::kInfeasible;
+        if (price.highest() && (paid || (untried_ && !last))) result.status = PlanStatus::kInfeasible;
         break;
       }
-      untried = false;
+      untried_ = false;
     }
     result.z = std::move(z);
     result.multipliers = std::move(y);
@@ -120,6 +110,20 @@ class Solver {
     }
   }
 
+  /// Returns true if stationarity and complementarity are within `factor` times their tolerances.
+  bool is_optimal(const SequentialQuadraticProgress& now, double factor) const {
+    return now.stationarity <= factor * options_.stationarity &&
+           now.complementarity <= factor * options_.complementarity;
+  }
+
+  /// Raises the price. The next subproblem starts cold.
+  void raise(ViolationPrice& price) {
+    price.raise();
+    charge(price);
+    untried_ = true;
+    mu_ = 1.0;
+  }
+
   /// Makes subproblems and the filter use this price. Clears the filter and the least error.
   void charge(const ViolationPrice& price) {
     error_ = INFINITY;
@@ -142,7 +146,7 @@ class Solver {
   }
 
   /// Takes one step. Returns false if no step is found, or if `go_on` returned false.
-  bool advance(VectorXd& z, VectorXd& y, double& mu, SequentialQuadraticProgress& now,
+  bool advance(VectorXd& z, VectorXd& y, SequentialQuadraticProgress& now,
                const std::function<bool()>& go_on) {
     program_.curve(z, residual_, y);
     quadratic_.gradient = gradient_;
@@ -159,61 +163,62 @@ class Solver {
       interior.infeasibility = exact * options_.violation;
       quadratic_.damping = now.damping * program_.metric;
       bound_steps(row_);
-      interior.start_mu = mu;
       VectorXd p = VectorXd::Zero(z.size());
       VectorXd multipliers = y;
-      InteriorPointResult solved = solve_quadratic(interior, p, multipliers, now);
+      const InteriorPointResult solved = solve_warm_or_cold(interior, p, multipliers, now);
       if (solved.interrupted) return false;
-      if (!solved.solved) {  // try again from a cold start, in case the warm start was bad
-        interior.start_mu = 1.0;
-        p.setZero();
-        multipliers.setZero();
-        solved = solve_quadratic(interior, p, multipliers, now);
-        if (solved.interrupted) return false;
-      }
       if (solved.infeasibility < 1e-5 && p.allFinite()) {
-        const Judged before = judge(z, residual_, row_);
-        const Judged model = modelled(z, p);
-        if (now.iteration == 0) filter_.allow(std::max(0.3, 2.0 * before.largest));
-        filter_.allow(2.0 * model.largest);  // at this price, the subproblem allows no less
-        const double price = dearest_ / program_.metric[0];
-        const auto acceptable = [&](const Judged& after, double part) {
-          return filter_.accepts(before, model, after, part, price);
-        };
-        for (int halving = 0; halving <= kHalvings; ++halving) {
-          const double alpha = std::ldexp(1.0, -halving);
-          VectorXd next = z + alpha * p;
-          program_.evaluate(next, trial_r_, trial_c_);
-          Judged after = judge(next, trial_r_, trial_c_);
-          bool accepted = acceptable(after, alpha);
-          const bool near = after.largest <= std::max(kCorrectable, 10.0 * before.largest);
-          if (!accepted && halving == 0 && near && corrected(z, p, multipliers, next, interior, now)) {
-            after = judge(next, trial_r_, trial_c_);
-            accepted = acceptable(after, alpha);
-          }
-          if (stopped_) return false;
-          if (!accepted) continue;
-          if (alpha == 1.0)
-            now.damping = std::max(kSmallestDamping, now.damping * 0.1);
-          else if (alpha < 0.5)
-            now.damping = std::min(kLargestDamping, std::max(now.damping, 1e-6) * 4.0);
-          now.step = (next - z).lpNorm<Eigen::Infinity>();
-          z = std::move(next);
-          y = multipliers;
-          // The last change shows how far the next subproblem may move. Its initial products of slack and
-          // multiplier (mu) are chosen in proportion, so that they are neither too large nor too small.
-          const double change = std::abs(after.objective - before.objective) + after.largest;
-          mu = std::clamp(kStartComplementarity * change / static_cast<double>(row_.size()), kLeastMu, 1.0);
-          program_.linearize(z, residual_, row_);
-          return true;
-        }
+        if (step_along(p, multipliers, interior, z, y, now)) return true;
+        if (stopped_) return false;
       } else {
-        mu = 1.0;
+        mu_ = 1.0;
       }
       if (now.damping >= kLargestDamping) return false;
       error_ *= kTighter;  // the subproblem may have been solved too inexactly
       now.damping = std::max(now.damping, 1e-6) * 10.0;
     }
+  }
+
+  /// Searches along p, a solution of the subproblem, and takes the first step that the filter accepts.
+  /// Returns false if it accepts none, or if the observer stopped the solver.
+  bool step_along(const VectorXd& p, VectorXd& multipliers, const InteriorPointOptions& interior, VectorXd& z,
+                  VectorXd& y, SequentialQuadraticProgress& now) {
+    const Judged before = judge(z, residual_, row_);
+    const Judged model = modelled(z, p);
+    if (now.iteration == 0) filter_.allow(std::max(0.3, 2.0 * before.largest));
+    filter_.allow(2.0 * model.largest);  // at this price, the subproblem allows no less
+    const double price = dearest_ / program_.metric[0];
+    const auto acceptable = [&](const Judged& after, double part) {
+      return filter_.accepts(before, model, after, part, price);
+    };
+    for (int halving = 0; halving <= kHalvings; ++halving) {
+      const double alpha = std::ldexp(1.0, -halving);
+      VectorXd next = z + alpha * p;
+      program_.evaluate(next, trial_r_, trial_c_);
+      Judged after = judge(next, trial_r_, trial_c_);
+      bool accepted = acceptable(after, alpha);
+      const bool near = after.largest <= std::max(kCorrectable, 10.0 * before.largest);
+      if (!accepted && halving == 0 && near && corrected(z, p, multipliers, next, interior, now)) {
+        after = judge(next, trial_r_, trial_c_);
+        accepted = acceptable(after, alpha);
+      }
+      if (stopped_) return false;
+      if (!accepted) continue;
+      if (alpha == 1.0)
+        now.damping = std::max(kSmallestDamping, now.damping * 0.1);
+      else if (alpha < 0.5)
+        now.damping = std::min(kLargestDamping, std::max(now.damping, 1e-6) * 4.0);
+      now.step = (next - z).lpNorm<Eigen::Infinity>();
+      z = std::move(next);
+      y = multipliers;
+      // The last change shows how far the next subproblem may move. Its initial products of slack and
+      // multiplier (mu) are chosen in proportion, so that they are neither too large nor too small.
+      const double change = std::abs(after.objective - before.objective) + after.largest;
+      mu_ = std::clamp(kStartComplementarity * change / static_cast<double>(row_.size()), kLeastMu, 1.0);
+      program_.linearize(z, residual_, row_);
+      return true;
+    }
+    return false;
   }
 
   /// Sets the bounds of the subproblem's rows, which are those of the program minus the present values `row`.
@@ -228,6 +233,19 @@ class Solver {
       quadratic_.bounds.lower[i] = std::max(quadratic_.bounds.lower[i], -0.5 * row_[i]);
       quadratic_.bounds.upper[i] = std::min(quadratic_.bounds.upper[i], row_[i]);
     }
+  }
+
+  /// Solves the subproblem from p and the multipliers, and again from zero if that fails, in case the start
+  /// was bad.
+  InteriorPointResult solve_warm_or_cold(InteriorPointOptions& interior, VectorXd& p, VectorXd& multipliers,
+                                         SequentialQuadraticProgress& now) {
+    interior.start_mu = mu_;
+    const InteriorPointResult warm = solve_quadratic(interior, p, multipliers, now);
+    if (warm.interrupted || warm.solved) return warm;
+    interior.start_mu = 1.0;
+    p.setZero();
+    multipliers.setZero();
+    return solve_quadratic(interior, p, multipliers, now);
   }
 
   InteriorPointResult solve_quadratic(const InteriorPointOptions& interior, VectorXd& p,
@@ -274,6 +292,8 @@ class Solver {
   StepFilter filter_;
   double dearest_ = 0.0;     ///< largest penalty of an elastic row
   double error_ = INFINITY;  ///< least error so far at this price
+  double mu_ = 1.0;          ///< initial slack x multiplier of the next subproblem
+  bool untried_ = false;     ///< true if no step was found since the price was raised
   bool stopped_ = false;     ///< true if the observer stopped the solver
   VectorXd residual_, row_, gradient_, change_r_, change_c_, trial_r_, trial_c_;
 };

@@ -9,10 +9,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kFactor = 100.0;
+constexpr double kPriceFactor = 100.0;
 constexpr double kHighest = 100.0;
-constexpr double kLess = 0.9;  // the sum of violations must fall to this share of the least so far
-constexpr int kPatience = 15;  // within this many iterations; otherwise the price is too low
+constexpr double kLess = 0.9;         // the sum of violations must fall to this share of the least so far
+constexpr int kTrialIterations = 15;  // within this many iterations; otherwise the price is too low
 
 }  // namespace
 
@@ -35,7 +35,7 @@ bool ViolationPrice::highest() const {
 }
 
 void ViolationPrice::raise() {
-  value_ *= kFactor;
+  value_ *= kPriceFactor;
   least_ = INFINITY;
 }
 
@@ -54,7 +54,7 @@ bool ViolationPrice::no_less_violated(int iteration, const VectorXd& row) {
     least_ = sum;
     least_at_ = iteration;
   }
-  return iteration - least_at_ >= kPatience;
+  return iteration - least_at_ >= kTrialIterations;
 }
 
 }  // namespace armtune::internal

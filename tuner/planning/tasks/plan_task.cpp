@@ -19,8 +19,8 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kFromCell = 0.02;  // m, default clearance if there is a cell
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kDefaultClearance = 0.02;  // m, default clearance if there is a cell
+constexpr double kNoUpperLimit = std::numeric_limits<double>::infinity();
 constexpr long kFewestKnots =
     12;  // start and end give six conditions per joint; each interval has one degree of freedom
 constexpr long kMostKnots = 100'000;
@@ -176,7 +176,7 @@ std::string no_switch(const PlanTask& task) {
 /// above 0, because the arm must not touch the cell.
 double read_clearance(yaml::MapReader& map, const Scenario& scenario) {
   const bool has_cell = scenario.clearance && !scenario.clearance->pairs().empty();
-  const double clearance = map.number_in("clearance", has_cell ? kFromCell : 0.0, 0.0, kInfinity);
+  const double clearance = map.number_in("clearance", has_cell ? kDefaultClearance : 0.0, 0.0, kNoUpperLimit);
   if (has_cell && clearance == 0.0)
     map.required("clearance")
         .fail(scenario.name +

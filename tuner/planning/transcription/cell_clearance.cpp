@@ -7,7 +7,6 @@
 
 #include "tuner/planning/transcription/joint_axis.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
-#include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -16,12 +15,18 @@ namespace {
 std::string term_name(const ClearanceModel& model, const ContactPair& pair) {
   switch (pair.of) {
     case Clearance::kCell:
-      return kept_words::kDistanceToPart + model.cell().parts[pair.other].name;
+      return "distance to part " + model.cell().parts[pair.other].name;
     case Clearance::kFloor:
-      return kept_words::kDistanceToFloor;
+      return "distance to the floor";
     default:
-      return kept_words::kDistanceBetweenLinks;
+      return "distance between links";
   }
+}
+
+LimitKind kind_of(const ContactPair& pair) {
+  return pair.of == Clearance::kCell    ? LimitKind::kCellPart
+         : pair.of == Clearance::kFloor ? LimitKind::kFloor
+                                        : LimitKind::kLinks;
 }
 
 std::string row_name(const ClearanceModel& model, const ContactPair& pair) {
@@ -80,8 +85,10 @@ std::vector<KnotTerm> clear_of_cell(const std::shared_ptr<const ClearanceModel>&
       if (const int count = ++used[row]; count > 1) row += fmt::format(" ({})", count);
       rows.push_back(std::move(row));
     }
-    const double kept = name == kept_words::kDistanceBetweenLinks ? std::min(radius, kBetweenLinks) : radius;
+    const LimitKind kind = kind_of(pairs[of_term.front()]);
+    const double kept = kind == LimitKind::kLinks ? std::min(radius, kBetweenLinks) : radius;
     KnotTerm term = over(knots, name, rows);
+    term.kind = kind;
     in_meters(1.0 / kept, term);
     term.on_time = true;
     term.lower = 1.0;

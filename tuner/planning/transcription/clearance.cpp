@@ -5,7 +5,6 @@
 
 #include "tuner/planning/transcription/joint_axis.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
-#include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -27,7 +26,8 @@ KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle
   std::vector<std::string> rows = joint_names(robot);
   rows.erase(rows.begin(), rows.begin() + first_joint);
   rows.emplace_back("tool");
-  KnotTerm term = over(knots, kept_words::kDistanceTo + obstacle.name, rows);
+  KnotTerm term = over(knots, "distance to " + obstacle.name, rows);
+  term.kind = LimitKind::kObstacle;
   in_meters(1.0 / radius, term);
   term.on_time = true;
   term.lower = 1.0;

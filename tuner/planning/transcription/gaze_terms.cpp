@@ -62,6 +62,7 @@ KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const Path& target,
 
 KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const Path& target, double angle) {
   KnotTerm term = over(knots, kept_words::kGaze, {"angle"});
+  term.kind = LimitKind::kGaze;
   term.on_time = true;
   term.upper = 1.0;
   const double half = std::sin(0.5 * angle);

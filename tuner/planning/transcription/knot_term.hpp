@@ -5,10 +5,12 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/robot/kinematics.hpp"
+#include "tuner/record/limit_kind.hpp"
 
 namespace armtune::internal {
 
@@ -36,6 +38,7 @@ struct KnotRows {
 /// is minimised.
 struct KnotTerm {
   std::string name;
+  std::optional<LimitKind> kind;  ///< empty: an equation, such as a start state
   std::vector<std::string> rows;  ///< name of each row, such as a joint or an axis
   int first_knot = 0;
   int last_knot = 0;

@@ -7,7 +7,7 @@ namespace armtune::internal {
 namespace {
 
 constexpr int kCoarsest = 24;  // coarser grids have at least this many intervals in their longest phase
-constexpr int kFactor = 3;     // ratio of the intervals of one grid and the next coarser one
+constexpr int kGridRatio = 3;  // ratio of the intervals of one grid and the next coarser one
 // If a task is barely feasible, its multipliers grow without bound relative to the objective, but the penalty
 // on violations is bounded. A task is called infeasible only after a solve with this weight of the objective.
 constexpr double kLeastWeight = 1e-6;
@@ -21,7 +21,7 @@ constexpr double kMoreWeight = 1e3;      // by at most this factor at a time.
 std::vector<int> sizes_of(const TimeGrid& grid) {
   std::vector<int> sizes{0};
   for (const Phase& phase : grid.phases) sizes.front() = std::max(sizes.front(), phase.intervals);
-  while (sizes.back() > kFactor * kCoarsest) sizes.push_back(sizes.back() / kFactor);
+  while (sizes.back() > kGridRatio * kCoarsest) sizes.push_back(sizes.back() / kGridRatio);
   return sizes;
 }
 

@@ -18,6 +18,7 @@ double path_factor(double tolerance) {
 
 KnotTerm path_term(KnotRange knots, double tolerance) {
   KnotTerm term = over(knots, kept_words::kToolPath, {"x", "y", "z"});
+  term.kind = LimitKind::kToolPath;
   term.lower = tolerance > 0.0 ? -1.0 : 0.0;
   term.upper = -term.lower;
   in_meters(path_factor(tolerance), term);

@@ -9,6 +9,7 @@ namespace armtune::internal {
 
 KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin) {
   KnotTerm term = over(knots, kept_words::kTorque, joint_names(robot));
+  term.kind = LimitKind::kTorque;
   term.on_velocity = term.on_acceleration = true;
   term.lower = -1.0;
   term.upper = 1.0;

@@ -43,16 +43,30 @@ TrajectoryProgram::TrajectoryProgram(TrajectoryTask task) : task_(std::move(task
 }
 
 void TrajectoryProgram::lay_out_intervals() {
-  const int intervals = task_.grid.intervals();
-  const auto with_duration = [&](std::vector<int> columns, int k) {
-    const int duration =
-        duration_column_[static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)])];
-    if (duration >= 0) columns.push_back(duration);
-    return columns;
-  };
+  for (int j = 0; j < m_; ++j) {
+    const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
+    if (std::isfinite(c.jerk)) jerk_limited_.push_back(j);
+    if (c.limits_velocity()) velocity_limited_.push_back(j);
+    if (c.limits_position()) position_limited_.push_back(j);
+  }
+  lay_out_continuity();
+  lay_out_jerk();
+  lay_out_velocity_inside();
+  lay_out_position_inside();
+  lay_out_smoothness();
+}
+
+std::vector<int> TrajectoryProgram::with_duration(std::vector<int> columns, int k) const {
+  const int duration =
+      duration_column_[static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)])];
+  if (duration >= 0) columns.push_back(duration);
+  return columns;
+}
+
+void TrajectoryProgram::lay_out_continuity() {
   groups_.push_back({rows.rows(), "continuity between knots", kDynamics, -1, 2 * m_, 0, 1.0});
   first_dynamics_ = static_cast<int>(rows.blocks().size());
-  for (int k = 0; k < intervals; ++k) {
+  for (int k = 0; k < task_.grid.intervals(); ++k) {
     for (int j = 0; j < m_; ++j) {
       rows.add(1, with_duration({column(k, 0, j), column(k, 1, j), column(k, 2, j), column(k + 1, 0, j),
                                  column(k + 1, 2, j)},
@@ -62,37 +76,40 @@ void TrajectoryProgram::lay_out_intervals() {
       add_bounds(2, 0.0, 0.0, true);
     }
   }
-  for (int j = 0; j < m_; ++j) {
-    const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
-    if (std::isfinite(c.jerk)) jerk_limited_.push_back(j);
-    if (c.limits_velocity()) velocity_limited_.push_back(j);
-    if (c.limits_position()) position_limited_.push_back(j);
-  }
+}
+
+void TrajectoryProgram::lay_out_jerk() {
   first_jerk_ = static_cast<int>(rows.blocks().size());
   if (!jerk_limited_.empty())
     groups_.push_back({rows.rows(), "jerk", kJerk, -1, static_cast<int>(jerk_limited_.size()), 3, 1.0});
-  for (int k = 0; k < intervals; ++k) {
+  for (int k = 0; k < task_.grid.intervals(); ++k) {
     for (const int j : jerk_limited_) {
       rows.add(1, with_duration({column(k, 2, j), column(k + 1, 2, j)}, k));
       add_bounds(1, -1.0, 1.0, false);
     }
   }
+}
+
+void TrajectoryProgram::lay_out_velocity_inside() {
   first_inside_ = static_cast<int>(rows.blocks().size());
   if (!velocity_limited_.empty())
     groups_.push_back(
         {rows.rows(), "velocity", kInside, -1, static_cast<int>(velocity_limited_.size()), 1, 1.0});
-  for (int k = 0; k < intervals; ++k) {
+  for (int k = 0; k < task_.grid.intervals(); ++k) {
     for (const int j : velocity_limited_) {
       const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
       rows.add(1, with_duration({column(k, 1, j), column(k, 2, j)}, k));
       add_bounds(1, c.lowest_velocity() / c.velocity_unit(), c.velocity / c.velocity_unit(), false);
     }
   }
+}
+
+void TrajectoryProgram::lay_out_position_inside() {
   first_inside_position_ = static_cast<int>(rows.blocks().size());
   if (!position_limited_.empty())
     groups_.push_back({rows.rows(), "position", kInsidePosition, -1,
                        2 * static_cast<int>(position_limited_.size()), 0, 1.0});
-  for (int k = 0; k < intervals; ++k) {
+  for (int k = 0; k < task_.grid.intervals(); ++k) {
     for (const int j : position_limited_) {
       const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
       rows.add(1, with_duration({column(k, 0, j), column(k, 1, j)}, k));
@@ -100,11 +117,13 @@ void TrajectoryProgram::lay_out_intervals() {
       add_bounds(2, c.lower / c.position_unit(), c.upper / c.position_unit(), false);
     }
   }
-  if (task_.smoothness.jerk > 0.0 || task_.smoothness.acceleration > 0.0) {
-    first_smooth_ = static_cast<int>(residuals.blocks().size());
-    for (int k = 0; k < intervals; ++k) {
-      for (int j = 0; j < m_; ++j) residuals.add(2, {column(k, 2, j), column(k + 1, 2, j)});
-    }
+}
+
+void TrajectoryProgram::lay_out_smoothness() {
+  if (!(task_.smoothness.jerk > 0.0 || task_.smoothness.acceleration > 0.0)) return;
+  first_smooth_ = static_cast<int>(residuals.blocks().size());
+  for (int k = 0; k < task_.grid.intervals(); ++k) {
+    for (int j = 0; j < m_; ++j) residuals.add(2, {column(k, 2, j), column(k + 1, 2, j)});
   }
 }
 

@@ -131,7 +131,14 @@ class TrajectoryProgram : public NonlinearProgram {
     const auto place = static_cast<std::size_t>(offset % group.width / rows_each);
     return task_.coordinates[static_cast<std::size_t>(limited(group)[place])];
   }
+  /// Returns these columns of interval k, and after them that of its phase's duration if that is free.
+  std::vector<int> with_duration(std::vector<int> columns, int k) const;
   void lay_out_intervals();
+  void lay_out_continuity();
+  void lay_out_jerk();
+  void lay_out_velocity_inside();
+  void lay_out_position_inside();
+  void lay_out_smoothness();
   void lay_out_bounds();
   void lay_out_terms();
   void lay_out_curvature();

@@ -1,6 +1,5 @@
 // Computes values and derivatives of the rows and residuals at given unknowns.
 
-#include <algorithm>
 #include <cmath>
 
 #include "tuner/planning/transcription/trajectory_program.hpp"
@@ -10,6 +9,106 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+
+/// Receives the values of rows, and also their derivatives if `derivatives` is true.
+struct RowTarget {
+  BlockRows& rows;
+  VectorXd& values;
+  bool derivatives;
+};
+
+/// The motion of one coordinate between two knots, the first (0) and the second (1).
+struct IntervalMotion {
+  double h = 0.0;             ///< time between the knots [s]
+  double by_T = 0.0;          ///< derivative of h with respect to the duration of its phase
+  bool free = false;          ///< true if that duration is an unknown
+  double sv = 1.0, sa = 1.0;  ///< units of the unknowns of velocity and acceleration
+  double q0 = 0.0, v0 = 0.0, a0 = 0.0;
+  double q1 = 0.0, v1 = 0.0, a1 = 0.0;
+
+  /// Writes block `first`, the continuity of the position, and the next one, that of the velocity.
+  void write_continuity(int first, const RowTarget& target) const {
+    const RowBlock& position = target.rows.block(first);
+    const RowBlock& velocity = target.rows.block(first + 1);
+    target.values[position.first_row] = q1 - q0 - h * v0 - h * h * (a0 / 3.0 + a1 / 6.0);
+    target.values[velocity.first_row] = (v1 - v0 - h * (a0 + a1) / 2.0) / sv;
+    if (!target.derivatives) return;
+    double* d = target.rows.values(position);
+    d[0] = -1.0;
+    d[1] = -h * sv;
+    d[2] = -h * h / 3.0 * sa;
+    d[3] = 1.0;
+    d[4] = -h * h / 6.0 * sa;
+    if (free) d[5] = -by_T * (v0 + 2.0 * h * (a0 / 3.0 + a1 / 6.0));
+    d = target.rows.values(velocity);
+    d[0] = -1.0;
+    d[1] = -h / 2.0 * sa / sv;
+    d[2] = 1.0;
+    d[3] = -h / 2.0 * sa / sv;
+    if (free) d[4] = -by_T * (a0 + a1) / 2.0 / sv;
+  }
+
+  /// Writes the jerk relative to its limit.
+  void write_jerk(double limit, int block, const RowTarget& target) const {
+    const RowBlock& jerk = target.rows.block(block);
+    const double per = 1.0 / (h * limit);
+    target.values[jerk.first_row] = (a1 - a0) * per;
+    if (!target.derivatives) return;
+    double* d = target.rows.values(jerk);
+    d[0] = -sa * per;
+    d[1] = sa * per;
+    if (free) d[2] = -(a1 - a0) * per / h * by_T;
+  }
+
+  /// Writes the control point of the velocity between the knots, relative to `unit`.
+  void write_velocity_inside(double unit, int block, const RowTarget& target) const {
+    const RowBlock& inside = target.rows.block(block);
+    const double per = 1.0 / unit;
+    target.values[inside.first_row] = (v0 + h * a0 / 2.0) * per;
+    if (!target.derivatives) return;
+    double* d = target.rows.values(inside);
+    d[0] = sv * per;
+    d[1] = h / 2.0 * sa * per;
+    if (free) d[2] = by_T * a0 / 2.0 * per;
+  }
+
+  /// Writes the two control points of the position between the knots, relative to `unit`, to block `first`
+  /// and the next one.
+  void write_position_inside(double unit, int first, const RowTarget& target) const {
+    const RowBlock& early = target.rows.block(first);
+    const RowBlock& late = target.rows.block(first + 1);
+    const double per = 1.0 / unit;
+    target.values[early.first_row] = (q0 + h * v0 / 3.0) * per;
+    target.values[late.first_row] = (q0 + h * (2.0 * v0 / 3.0 + h * a0 / 6.0)) * per;
+    if (!target.derivatives) return;
+    double* d = target.rows.values(early);
+    d[0] = per;
+    d[1] = h / 3.0 * sv * per;
+    if (free) d[2] = by_T * v0 / 3.0 * per;
+    d = target.rows.values(late);
+    d[0] = per;
+    d[1] = 2.0 * h / 3.0 * sv * per;
+    d[2] = h * h / 6.0 * sa * per;
+    if (free) d[3] = by_T * (2.0 * v0 / 3.0 + h * a0 / 3.0) * per;
+  }
+
+  /// Writes the costs of acceleration and jerk. nominal: time between the knots in the first guess [s].
+  void write_smoothness(const Smoothness& smoothness, double nominal, int block,
+                        const RowTarget& target) const {
+    // These integrals are exact, because the acceleration is linear between knots: that of a^2 is
+    // h ((a0 + a1)/2)^2 + h/12 (a1 - a0)^2, and that of jerk^2 is (a1 - a0)^2/h.
+    const RowBlock& smooth = target.rows.block(block);
+    const double mean = std::sqrt(smoothness.acceleration * nominal) / 2.0;
+    const double change = std::sqrt(smoothness.acceleration * nominal / 12.0 + smoothness.jerk / nominal);
+    target.values[smooth.first_row] = mean * (a0 + a1) / sa;
+    target.values[smooth.first_row + 1] = change * (a1 - a0) / sa;
+    if (!target.derivatives) return;
+    double* d = target.rows.values(smooth);
+    d[0] = d[1] = mean;
+    d[2] = -change;
+    d[3] = change;
+  }
+};
 
 }  // namespace
 
@@ -30,93 +129,40 @@ void TrajectoryProgram::linearize(const VectorXd& z, VectorXd& residual, VectorX
 void TrajectoryProgram::intervals_at(const VectorXd& z, VectorXd& residual, VectorXd& row, bool derivatives) {
   const std::vector<double> T = durations(z);
   const int intervals = task_.grid.intervals();
+  const RowTarget constraints{rows, row, derivatives};
+  const RowTarget costs{residuals, residual, derivatives};
   int dynamics = first_dynamics_;
   int jerk = first_jerk_;
   int inside = first_inside_;
   int inside_position = first_inside_position_;
   for (int k = 0; k < intervals; ++k) {
     const auto phase = static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)]);
-    const double by_T = 1.0 / task_.grid.phases[phase].intervals;
-    const double h = T[phase] * by_T;
-    const bool free = duration_column_[phase] >= 0;
-    const double nominal = task_.grid.phases[phase].duration * by_T;
+    IntervalMotion motion;
+    motion.by_T = 1.0 / task_.grid.phases[phase].intervals;
+    motion.h = T[phase] * motion.by_T;
+    motion.free = duration_column_[phase] >= 0;
+    const double nominal = task_.grid.phases[phase].duration * motion.by_T;
     for (int j = 0; j < m_; ++j) {
-      const double sv = scale(1, j);
-      const double sa = scale(2, j);
-      const double q0 = z[column(k, 0, j)], v0 = z[column(k, 1, j)] * sv, a0 = z[column(k, 2, j)] * sa;
-      const double q1 = z[column(k + 1, 0, j)], v1 = z[column(k + 1, 1, j)] * sv,
-                   a1 = z[column(k + 1, 2, j)] * sa;
-      const RowBlock& position = rows.block(dynamics++);
-      const RowBlock& velocity = rows.block(dynamics++);
-      row[position.first_row] = q1 - q0 - h * v0 - h * h * (a0 / 3.0 + a1 / 6.0);
-      row[velocity.first_row] = (v1 - v0 - h * (a0 + a1) / 2.0) / sv;
-      if (derivatives) {
-        const auto put = [&](const RowBlock& block, std::initializer_list<double> values,
-                             double by_duration) {
-          double* end = std::copy(values.begin(), values.end(), rows.values(block));
-          if (free) *end = by_duration;
-        };
-        put(position, {-1.0, -h * sv, -h * h / 3.0 * sa, 1.0, -h * h / 6.0 * sa},
-            -by_T * (v0 + 2.0 * h * (a0 / 3.0 + a1 / 6.0)));
-        put(velocity, {-1.0, -h / 2.0 * sa / sv, 1.0, -h / 2.0 * sa / sv}, -by_T * (a0 + a1) / 2.0 / sv);
-      }
+      motion.sv = scale(1, j);
+      motion.sa = scale(2, j);
+      motion.q0 = z[column(k, 0, j)];
+      motion.v0 = z[column(k, 1, j)] * motion.sv;
+      motion.a0 = z[column(k, 2, j)] * motion.sa;
+      motion.q1 = z[column(k + 1, 0, j)];
+      motion.v1 = z[column(k + 1, 1, j)] * motion.sv;
+      motion.a1 = z[column(k + 1, 2, j)] * motion.sa;
+      motion.write_continuity(dynamics, constraints);
+      dynamics += 2;
       const Coordinate& coordinate = task_.coordinates[static_cast<std::size_t>(j)];
-      if (std::isfinite(coordinate.jerk)) {
-        const RowBlock& jerk_block = rows.block(jerk++);
-        const double per = 1.0 / (h * coordinate.jerk);
-        row[jerk_block.first_row] = (a1 - a0) * per;
-        if (derivatives) {
-          double* d = rows.values(jerk_block);
-          d[0] = -sa * per;
-          d[1] = sa * per;
-          if (free) d[2] = -(a1 - a0) * per / h * by_T;
-        }
-      }
-      if (coordinate.limits_velocity()) {
-        const RowBlock& inside_block = rows.block(inside++);
-        const double per = 1.0 / coordinate.velocity_unit();
-        row[inside_block.first_row] = (v0 + h * a0 / 2.0) * per;
-        if (derivatives) {
-          double* d = rows.values(inside_block);
-          d[0] = sv * per;
-          d[1] = h / 2.0 * sa * per;
-          if (free) d[2] = by_T * a0 / 2.0 * per;
-        }
-      }
+      if (std::isfinite(coordinate.jerk)) motion.write_jerk(coordinate.jerk, jerk++, constraints);
+      if (coordinate.limits_velocity())
+        motion.write_velocity_inside(coordinate.velocity_unit(), inside++, constraints);
       if (coordinate.limits_position()) {
-        const RowBlock& early = rows.block(inside_position++);
-        const RowBlock& late = rows.block(inside_position++);
-        const double per = 1.0 / coordinate.position_unit();
-        row[early.first_row] = (q0 + h * v0 / 3.0) * per;
-        row[late.first_row] = (q0 + h * (2.0 * v0 / 3.0 + h * a0 / 6.0)) * per;
-        if (derivatives) {
-          double* d = rows.values(early);
-          d[0] = per;
-          d[1] = h / 3.0 * sv * per;
-          if (free) d[2] = by_T * v0 / 3.0 * per;
-          d = rows.values(late);
-          d[0] = per;
-          d[1] = 2.0 * h / 3.0 * sv * per;
-          d[2] = h * h / 6.0 * sa * per;
-          if (free) d[3] = by_T * (2.0 * v0 / 3.0 + h * a0 / 3.0) * per;
-        }
+        motion.write_position_inside(coordinate.position_unit(), inside_position, constraints);
+        inside_position += 2;
       }
-      if (first_smooth_ >= 0) {
-        // These integrals are exact, because the acceleration is linear between knots: that of a^2 is
-        // h ((a0 + a1)/2)^2 + h/12 (a1 - a0)^2, and that of jerk^2 is (a1 - a0)^2/h.
-        const RowBlock& smooth = residuals.block(first_smooth_ + k * m_ + j);
-        const double mean = std::sqrt(task_.smoothness.acceleration * nominal) / 2.0;
-        const double change =
-            std::sqrt(task_.smoothness.acceleration * nominal / 12.0 + task_.smoothness.jerk / nominal);
-        residual[smooth.first_row] = mean * (a0 + a1) / sa;
-        residual[smooth.first_row + 1] = change * (a1 - a0) / sa;
-        if (derivatives) {
-          double* d = residuals.values(smooth);
-          d[0] = d[1] = mean;
-          d[2] = -change;
-          d[3] = change;
-        }
-      }
+      if (first_smooth_ >= 0)
+        motion.write_smoothness(task_.smoothness, nominal, first_smooth_ + k * m_ + j, costs);
     }
   }
 }

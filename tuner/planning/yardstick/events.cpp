@@ -11,11 +11,11 @@ namespace armtune::internal {
 namespace {
 
 /// The columns of a rollout's table from which the events are found.
-struct Columns {
+struct EventColumns {
   std::vector<double> time, state, gaze;
   std::vector<std::vector<double>> position, velocity, tool;
 
-  Columns(const CsvTable& table, const RobotModel& robot)
+  EventColumns(const CsvTable& table, const RobotModel& robot)
       : time(table.numbers(table.column("time"))),
         state(table.numbers(table.column("state"))),
         gaze(table.numbers(table.column("gaze/angle"))) {
@@ -91,7 +91,7 @@ struct Columns {
   }
 };
 
-void add_switches(const Columns& columns, const Scenario& scenario, double threshold,
+void add_switches(const EventColumns& columns, const Scenario& scenario, double threshold,
                   std::vector<Event>& events) {
   double after = scenario.next_switch(0.0);
   while (after < columns.time.back()) {
@@ -124,7 +124,7 @@ void add_switches(const Columns& columns, const Scenario& scenario, double thres
   }
 }
 
-void add_returns(const Columns& columns, const Scenario& scenario, std::vector<Event>& events) {
+void add_returns(const EventColumns& columns, const Scenario& scenario, std::vector<Event>& events) {
   for (std::size_t row = 1; row < columns.rows(); ++row) {
     if (!columns.in(row, ControlState::kReturnToTrajectory) ||
         columns.in(row - 1, ControlState::kReturnToTrajectory))
@@ -141,7 +141,7 @@ void add_returns(const Columns& columns, const Scenario& scenario, std::vector<E
   }
 }
 
-void add_laps(const Columns& columns, const Scenario& scenario, std::vector<Event>& events) {
+void add_laps(const EventColumns& columns, const Scenario& scenario, std::vector<Event>& events) {
   const double turn = scenario.path.period();
   if (turn == 0.0) return;
   std::size_t first = 0;
@@ -203,7 +203,7 @@ std::string words(EventOutcome outcome) {
 std::vector<Event> events_of(const CsvTable& rollout, const Scenario& scenario, double gaze_threshold) {
   std::vector<Event> events;
   if (rollout.rows() < 2) return events;
-  const Columns columns(rollout, *scenario.robot);
+  const EventColumns columns(rollout, *scenario.robot);
   add_switches(columns, scenario, gaze_threshold, events);
   add_returns(columns, scenario, events);
   add_laps(columns, scenario, events);

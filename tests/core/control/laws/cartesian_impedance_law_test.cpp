@@ -16,7 +16,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace cartesian_impedance_law_test {
 
 using test::Period;
 using test::WorstError;
@@ -283,5 +283,5 @@ TEST(CartesianImpedanceLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegrat
   EXPECT_LT(bound, 800);
 }
 
-}  // namespace
+}  // namespace cartesian_impedance_law_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace computed_torque_law_test {
 
 using test::Period;
 using test::WorstError;
@@ -62,5 +62,5 @@ TEST(ComputedTorqueLaw, TracksJointsAsALinearSystemToo) {
   }
 }
 
-}  // namespace
+}  // namespace computed_torque_law_test
 }  // namespace armtune::internal

@@ -12,20 +12,16 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/law_period.hpp"
+#include "tests/core/support/refused_at.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_kind_test {
 
-using testing::HasSubstr;
+using test::refused_at;
 
-/// What register_controller says about a kind.
-std::string refusal_of(ControllerKind kind) {
-  try {
-    register_controller(std::move(kind));
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "nothing was refused";
+/// The error with which register_controller refuses a kind.
+InputError refusal_of(ControllerKind kind) {
+  return test::input_error([&] { register_controller(std::move(kind)); });
 }
 
 class NoLaw final : public TorqueLaw {
@@ -76,36 +72,33 @@ TEST(ControllerKind, EveryKindHasAllGainsThatAreNoLawsAndItsOwnLast) {
 }
 
 TEST(ControllerKind, WhatCannotBeIsRefusedByName) {
-  EXPECT_THAT(refusal_of(named("adaptive")), HasSubstr("registered already"));
-  EXPECT_THAT(refusal_of(named("two words")), HasSubstr("letters, digits"));
+  EXPECT_THAT(refusal_of(named("adaptive")), refused_at({.value = "adaptive", .limit = "another name"}));
+  EXPECT_THAT(refusal_of(named("two words")),
+              refused_at({.value = "two words", .limit = "letters, digits and underscores"}));
   ControllerKind kind = named("lawless");
   kind.make = nullptr;
-  EXPECT_THAT(refusal_of(kind), HasSubstr("no law"));
+  EXPECT_THAT(refusal_of(kind), refused_at({}));
   kind = named("wishful");
   kind.uses = {"release_radius"};
-  EXPECT_THAT(refusal_of(kind), HasSubstr("'release_radius'"));
+  EXPECT_THAT(refusal_of(kind), refused_at({.value = "release_radius"}));
   kind.uses = {};
   kind.own = {own_gain(GainShape::kScalar, "task_space_gains_p", "1", "taken", 1.0)};
-  EXPECT_THAT(refusal_of(kind), HasSubstr("'task_space_gains_p' already"));
+  EXPECT_THAT(refusal_of(kind), refused_at({.value = "task_space_gains_p"}));
   kind.own = {own_gain(GainShape::kScalar, "twice", "1", "a", 1.0),
               own_gain(GainShape::kTask, "twice", "1", "b", 1.0)};
-  EXPECT_THAT(refusal_of(kind), HasSubstr("'twice' already"));
+  EXPECT_THAT(refusal_of(kind), refused_at({.value = "twice", .limit = "another name"}));
   kind.own = {own_gain(GainShape::kScalar, "controller", "1", "a key of the file", 1.0)};
-  EXPECT_THAT(refusal_of(kind), HasSubstr("'controller'"));
+  EXPECT_THAT(refusal_of(kind), refused_at({.value = "controller"}));
   kind.own = {own_gain(GainShape::kScalar, "negative", "1", "a", -1.0)};
-  EXPECT_THAT(refusal_of(kind), HasSubstr("'negative' is -1"));
+  EXPECT_THAT(refusal_of(kind), refused_at({.value = "-1", .limit = "finite and not negative"}));
   kind.own = {positive(own_gain(GainShape::kScalar, "zero", "1", "a", 0.0))};
-  EXPECT_THAT(refusal_of(kind), HasSubstr("above zero"));
+  EXPECT_THAT(refusal_of(kind), refused_at({.value = "0", .limit = "finite and above zero"}));
   kind.own = {own_gain(GainShape::kScalar, "narrow", "1", "a", 1.0, 2.0, 2.0)};
-  EXPECT_THAT(refusal_of(kind), HasSubstr("'narrow' is 2 to 2"));
+  EXPECT_THAT(refusal_of(kind), refused_at({.value = "2 to 2"}));
   kind.own = {gain_fields().front()};
-  EXPECT_THAT(refusal_of(kind), HasSubstr("own_gain"));
-  try {
-    controller_kind("adaptiv");
-    FAIL() << "was found";
-  } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), testing::AllOf(HasSubstr("'adaptiv'"), HasSubstr("impedance")));
-  }
+  EXPECT_THAT(refusal_of(kind), testing::Property(&InputError::what, testing::HasSubstr("own_gain")));
+  EXPECT_THAT([] { controller_kind("adaptiv"); },
+              refused_at({.value = "adaptiv", .limit = testing::StartsWith("one of: adaptive, joint_pd, ")}));
 }
 
 TEST(ControllerKind, GainsOfOneKindBecomeValidGainsOfEveryOther) {
@@ -151,12 +144,8 @@ TEST(ControllerKind, OwnGainsAreFoundByNameAndCheckedLikeAnyOther) {
   EXPECT_EQ(own(gains, "joint_pd_p").size(), 6);
   EXPECT_THROW(own(gains, "impedance_k"), InputError);
   own(gains, "joint_pd_p")[2] = -3.0;
-  try {
-    validate(gains, joint_names(test::ur10()), "gains.yaml");
-    FAIL() << "was accepted";
-  } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("joint_pd_p/elbow_joint is -3"));
-  }
+  EXPECT_THAT([&] { validate(gains, joint_names(test::ur10()), "gains.yaml"); },
+              refused_at({.file = "gains.yaml", .key = "joint_pd_p", .value = "-3"}));
   own(gains, "joint_pd_p").resize(5);
   EXPECT_THROW(validate(gains, joint_names(test::ur10()), "gains.yaml"), InputError);
   gains.own.clear();
@@ -182,5 +171,5 @@ TEST(ControllerKind, TheControllersTorqueIsThatOfTheLawTheGainsName) {
   }
 }
 
-}  // namespace
+}  // namespace controller_kind_test
 }  // namespace armtune::internal

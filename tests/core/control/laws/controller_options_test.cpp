@@ -15,7 +15,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_options_test {
 
 using test::obstacles_near;
 using test::WorstError;
@@ -249,5 +249,5 @@ TEST(ControllerOptions, TheBarrierDampsWithTheActiveKdAndFadesTheRepulsionThatPu
   EXPECT_GT(avoiding, 200);
 }
 
-}  // namespace
+}  // namespace controller_options_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_pace_test {
 
 constexpr double kMargin = 0.85;
 
@@ -168,5 +168,5 @@ TEST(ControllerPace, LeaveSingularityWaitsForItsReference) {
   }
 }
 
-}  // namespace
+}  // namespace controller_pace_test
 }  // namespace armtune::internal

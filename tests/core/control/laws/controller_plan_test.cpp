@@ -13,7 +13,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_plan_test {
 
 using test::WorstError;
 
@@ -212,5 +212,5 @@ TEST(ControllerPlan, AllocatesNothing) {
   }
 }
 
-}  // namespace
+}  // namespace controller_plan_test
 }  // namespace armtune::internal

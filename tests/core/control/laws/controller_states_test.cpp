@@ -11,7 +11,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_states_test {
 
 using test::WorstError;
 
@@ -212,5 +212,5 @@ TEST(ControllerStates, ReportsManipulabilityAndWhetherTheInverseIsDamped) {
   EXPECT_LT(out.manipulability, 1e-6);
 }
 
-}  // namespace
+}  // namespace controller_states_test
 }  // namespace armtune::internal

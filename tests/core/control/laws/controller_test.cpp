@@ -14,7 +14,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_test {
 
 using test::WorstError;
 
@@ -247,5 +247,5 @@ TEST(Controller, StartsThetaWhereItIsTold) {
   EXPECT_EQ(rig.controller(theta)->theta(), theta);
 }
 
-}  // namespace
+}  // namespace controller_test
 }  // namespace armtune::internal

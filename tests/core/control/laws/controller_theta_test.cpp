@@ -13,7 +13,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace controller_theta_test {
 
 using test::obstacles_near;
 
@@ -124,5 +124,5 @@ TEST(ControllerOptions, ThetaAdaptsAlongTheFilteredMotion) {
   EXPECT_GT(tool, 100);
 }
 
-}  // namespace
+}  // namespace controller_theta_test
 }  // namespace armtune::internal

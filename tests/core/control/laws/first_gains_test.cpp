@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace first_gains_test {
 
 using test::WorstError;
 
@@ -72,5 +72,5 @@ TEST(FirstGains, ReferencesThatAreThereStay) {
   EXPECT_TRUE(gains.task_space_gains_i.isZero(0.0));
 }
 
-}  // namespace
+}  // namespace first_gains_test
 }  // namespace armtune::internal

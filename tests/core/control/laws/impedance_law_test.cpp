@@ -8,7 +8,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace impedance_law_test {
 
 using test::Period;
 using test::WorstError;
@@ -77,5 +77,5 @@ TEST(ImpedanceLaw, TracksJointsWithTheJointSpaceLaw) {
   EXPECT_EQ(p.torque(), without);
 }
 
-}  // namespace
+}  // namespace impedance_law_test
 }  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace joint_drives_test {
 
 using test::random_vector;
 
@@ -166,5 +166,5 @@ TEST(JointDrives, TheRepulsionOfObstaclesActsBetweenControlPeriodsToo) {
   EXPECT_GT((pushed_first - free_first).cwiseAbs().maxCoeff(), 10.0) << "the obstacle pushes";
 }
 
-}  // namespace
+}  // namespace joint_drives_test
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/core/support/one_joint.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace joint_impedance_law_test {
 
 using test::Period;
 
@@ -142,5 +142,5 @@ TEST(JointImpedanceLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration)
   EXPECT_LT(bound, 800);
 }
 
-}  // namespace
+}  // namespace joint_impedance_law_test
 }  // namespace armtune::internal

@@ -15,7 +15,7 @@
 #include "tests/core/support/one_joint.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace joint_impedance_vectors_test {
 
 struct Vector {
   double q, qd, desired, desired_velocity, torque;
@@ -89,5 +89,5 @@ TEST(JointImpedanceVectors, AreThoseOfFrankasExampleControllers) {
   }
 }
 
-}  // namespace
+}  // namespace joint_impedance_vectors_test
 }  // namespace armtune::internal

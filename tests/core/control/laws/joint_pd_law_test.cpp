@@ -6,7 +6,7 @@
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace joint_pd_law_test {
 
 using test::Period;
 using test::WorstError;
@@ -52,5 +52,5 @@ TEST(JointPdLaw, ReferenceWaitsWhileAJointIsSaturatedAndYieldsToObstacles) {
   EXPECT_LT((p.torque() - without_spring(p)).norm(), 1e-9 * first.norm());
 }
 
-}  // namespace
+}  // namespace joint_pd_law_test
 }  // namespace armtune::internal

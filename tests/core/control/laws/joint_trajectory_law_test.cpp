@@ -18,7 +18,7 @@
 #include "tests/core/support/one_joint.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace joint_trajectory_law_test {
 
 using test::Period;
 
@@ -34,6 +34,7 @@ TEST(JointTrajectoryLaw, IsAPidOfEachJointAlongTheIntegratedReferences) {
     const JointVector deadband = own(p.gains, "jtc_error_deadband");
     const JointVector P = own(p.gains, "jtc_p"), I = own(p.gains, "jtc_i"), D = own(p.gains, "jtc_d");
     const JointVector ff = own(p.gains, "jtc_ff_velocity_scale"), clamp = own(p.gains, "jtc_i_clamp");
+    const JointVector lower_clamp = own(p.gains, "jtc_i_clamp_min");
     JointVector reference = p.measured.q;
     JointVector integral = JointVector::Zero(model.n());
     for (int k = 0; k < 5; ++k) {
@@ -43,7 +44,8 @@ TEST(JointTrajectoryLaw, IsAPidOfEachJointAlongTheIntegratedReferences) {
         if (!model.joints[static_cast<std::size_t>(i)].limits.has_position)
           error = std::atan2(std::sin(error), std::cos(error));
         if (std::abs(error) > deadband[i])
-          integral[i] = std::min(std::max(integral[i] + I[i] * Period::period * error, -clamp[i]), clamp[i]);
+          integral[i] =
+              std::min(std::max(integral[i] + I[i] * Period::period * error, -lower_clamp[i]), clamp[i]);
         const double output = P[i] * error + integral[i] - (D[i] * p.control.S[i]);
         ++(output > most[i] || output < least[i] ? bounded : unbounded);
         EXPECT_NEAR(tau[i],
@@ -70,6 +72,7 @@ TEST(JointTrajectoryLaw, ChoosesTheAntiWindupByItsNumber) {
     set("jtc_i", 40000.0);
     set("jtc_d", 0.0);
     set("jtc_i_clamp", 20.0);
+    set("jtc_i_clamp_min", 20.0);
     set("jtc_ff_velocity_scale", 0.0);
     set("jtc_antiwindup", kind);
     set("jtc_tracking_time", 0.01);
@@ -223,5 +226,5 @@ TEST(JointTrajectoryLaw, WithVelocityCommandsTheDriveFollowsThePid) {
   }
 }
 
-}  // namespace
+}  // namespace joint_trajectory_law_test
 }  // namespace armtune::internal

@@ -1,8 +1,9 @@
 // The whole command of joint_trajectory_controller against test vectors that were derived from the source of
-// ROS by someone who had not seen this code. data/jtc_command.txt says how.
+// ROS, for Jazzy by someone who had not seen this code. The files in data/ say how.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -13,11 +14,12 @@
 
 #include "core/control/laws/controller.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/ros_distro.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/one_joint.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace jtc_vectors_test {
 
 struct Step {
   double time = 0.0, q = 0.0, qd = 0.0, command = 0.0;
@@ -26,6 +28,9 @@ struct Case {
   std::string name;
   double period = 0.0;
   double p = 0.0, i = 0.0, d = 0.0, i_clamp = 0.0, u_max = 0.0, u_min = 0.0, ff = 0.0;
+  std::string distro = "jazzy";
+  double i_clamp_min = 0.0;  ///< 0: -i_clamp
+  double wraparound = 0.0;
   std::string strategy;
   double tracking_time = 0.0, deadband = 0.0;
   int continuous = 0;
@@ -55,6 +60,9 @@ void read_line(const std::string& word, std::istringstream& words, Case& c) {
     c.tracking_time = number(words);
     c.deadband = number(words);
   }
+  if (word == "distro") words >> c.distro;
+  if (word == "i_clamp_min") c.i_clamp_min = number(words);
+  if (word == "wraparound") c.wraparound = number(words);
   if (word == "continuous") words >> c.continuous;
   if (word == "points") {
     std::string kind;
@@ -77,8 +85,8 @@ void read_line(const std::string& word, std::istringstream& words, Case& c) {
   }
 }
 
-std::vector<Case> cases() {
-  std::ifstream file(ARMTUNE_SOURCE_DIR "/tests/core/control/laws/data/jtc_command.txt");
+std::vector<Case> cases(const std::string& name) {
+  std::ifstream file(ARMTUNE_SOURCE_DIR "/tests/core/control/laws/data/" + name);
   std::vector<Case> all;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
@@ -98,8 +106,12 @@ std::vector<Case> cases() {
 /// The gains of a case, as the reader of parameter files gives them to the law.
 Gains gains_of(const Case& c) {
   constexpr double kNoClamp = 1e6;
-  static const std::map<std::string, double> kStrategies = {
-      {"legacy", 1.0}, {"none", 2.0}, {"conditional_integration", 3.0}, {"back_calculation", 4.0}};
+  static const std::map<std::string, double> kStrategies = {{"contribution", 0.0},
+                                                            {"integral", 1.0},
+                                                            {"legacy", 1.0},
+                                                            {"none", 2.0},
+                                                            {"conditional_integration", 3.0},
+                                                            {"back_calculation", 4.0}};
   Gains gains = test::one_joint_gains("joint_trajectory_controller");
   const auto set = [&gains](const char* name, double value) { own(gains, name)[0] = value; };
   set("jtc_p", c.p);
@@ -112,32 +124,66 @@ Gains gains_of(const Case& c) {
   set("jtc_antiwindup", kStrategies.at(c.strategy));
   set("jtc_tracking_time", c.tracking_time);
   set("jtc_error_deadband", c.deadband);
+  set("jtc_i_clamp_min", -c.i_clamp_min);
+  set("jtc_angle_wraparound", c.wraparound);
+  set("jtc_distro", static_cast<double>(distro_from_name(c.distro).value()));
   return gains;
 }
 
-TEST(JtcVectors, AreThoseOfRosJointTrajectoryController) {
-  const std::vector<Case> all = cases();
+/// The commands of armtune's law at the steps of a case.
+std::vector<double> commands(const Case& c) {
+  RobotModel model = test::pendulum();
+  model.joints[0].limits.has_position = c.continuous == 0;
+  model.joints[0].limits.effort = 1e9;  // the command itself is looked at
+  const auto arm = std::make_shared<const RobotModel>(model);
+  Controller controller(arm, gains_of(c), theta_of(arm->chain), c.period, TaskMask::kPosition);
+  const JointSpline plan(c.time, c.points, c.given);
+  Path path;
+  Scene scene;
+  scene.path = &path;
+  scene.plan = &plan;
+  scene.holds_plan = true;
+  std::vector<double> all;
+  for (const Step& step : c.steps)
+    all.push_back(controller.update({one(step.q), one(step.qd)}, scene, step.time).commanded[0]);
+  return all;
+}
+
+void expect_commands(const std::vector<Case>& all) {
   ASSERT_GE(all.size(), 10U);
   for (const Case& c : all) {
     ASSERT_GE(c.steps.size(), 5U) << c.name;
-    RobotModel model = test::pendulum();
-    model.joints[0].limits.has_position = c.continuous == 0;
-    model.joints[0].limits.effort = 1e9;  // the command itself is looked at
-    const auto arm = std::make_shared<const RobotModel>(model);
-    Controller controller(arm, gains_of(c), theta_of(arm->chain), c.period, TaskMask::kPosition);
-    const JointSpline plan(c.time, c.points, c.given);
-    Path path;
-    Scene scene;
-    scene.path = &path;
-    scene.plan = &plan;
-    scene.holds_plan = true;
-    for (const Step& step : c.steps) {
-      const double tau = controller.update({one(step.q), one(step.qd)}, scene, step.time).commanded[0];
-      EXPECT_NEAR(tau, step.command, 1e-9 * (1.0 + std::abs(step.command)))
+    const std::vector<double> found = commands(c);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const Step& step = c.steps[k];
+      EXPECT_NEAR(found[k], step.command, 1e-9 * (1.0 + std::abs(step.command)))
           << c.name << ", " << step.time << " s";
     }
   }
 }
 
-}  // namespace
+TEST(JtcVectors, AreThoseOfRosJointTrajectoryController) {
+  expect_commands(cases("jtc_command.txt"));
+}
+
+TEST(JtcVectors, OfHumbleAndNoeticAreThoseOfTheirJointTrajectoryControllers) {
+  expect_commands(cases("jtc_command_distros.txt"));
+}
+
+// The vectors tell the distributions apart: under the rules of Jazzy the same gains give other commands, but
+// for the cases that only differ in how a file is read.
+TEST(JtcVectors, OfOtherDistributionsAreNotThoseOfJazzy) {
+  int differ = 0;
+  for (const Case& c : cases("jtc_command_distros.txt")) {
+    Case jazzy = c;
+    jazzy.distro = "jazzy";
+    const std::vector<double> own = commands(c), other = commands(jazzy);
+    double most = 0.0;
+    for (std::size_t k = 0; k < own.size(); ++k) most = std::max(most, std::abs(own[k] - other[k]));
+    if (most > 1e-3) ++differ;
+  }
+  EXPECT_GE(differ, 8);
+}
+
+}  // namespace jtc_vectors_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/one_joint.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace position_servo_test {
 
 constexpr double kPeriod = 0.002;
 
@@ -89,5 +89,5 @@ TEST(PositionServo, AJointWithoutPositionLimitsTakesTheShorterWay) {
   }
 }
 
-}  // namespace
+}  // namespace position_servo_test
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include <string>
 
 namespace armtune::internal {
-namespace {
+namespace ros_pid_test {
 
 const std::map<std::string, AntiWindup> kAntiWindup = {{"contribution", AntiWindup::kOfContribution},
                                                        {"integral", AntiWindup::kOfIntegral},
@@ -84,5 +84,5 @@ TEST(RosPid, ReleasesWhatWoundUpAsItsKindSays) {
   EXPECT_NEAR(last_after(AntiWindup::kNone, 11), 0.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace ros_pid_test
 }  // namespace armtune::internal

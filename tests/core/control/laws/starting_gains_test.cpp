@@ -12,7 +12,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace starting_gains_test {
 
 TEST(StartingGains, DampEveryArmAtOneRate) {
   std::mt19937 generator(43);
@@ -47,5 +47,5 @@ TEST(StartingGains, TheWayToTheGoalKeepsToTheVelocityLimits) {
   EXPECT_EQ(in_si(arm, in_degrees(arm, goal)), goal);
 }
 
-}  // namespace
+}  // namespace starting_gains_test
 }  // namespace armtune::internal

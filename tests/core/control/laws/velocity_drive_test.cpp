@@ -12,7 +12,7 @@
 #include "tests/core/support/states.hpp"
 
 namespace armtune::internal {
-namespace {
+namespace velocity_drive_test {
 
 using test::random_number;
 using test::random_vector;
@@ -96,5 +96,5 @@ TEST(VelocityDrives, AllocateNothing) {
   EXPECT_EQ(test::allocations(), before);
 }
 
-}  // namespace
+}  // namespace velocity_drive_test
 }  // namespace armtune::internal

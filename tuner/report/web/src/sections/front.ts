@@ -15,7 +15,8 @@ interface Names {
 }
 
 type Role = Front["points"][number]["role"];
-const ROLES: Record<Role, string> = { start: "start", chosen: "chosen", shown: "shown here", point: "" };
+/** What is added to a point's label. The label of the start says that it is the start. */
+const ROLES: Record<Role, string> = { start: "", chosen: "chosen", shown: "shown here", point: "" };
 
 /** A limit farther away than this many times the span of the points is not drawn, because it would leave them
  * no room. A note names it. */
@@ -33,15 +34,13 @@ export function limitsOf(front: Pick<Front, "limits" | "points">, criterion: num
 
 function wordsOf(front: Front, point: Front["points"][number]): string {
   const values = front.criteria.map((one, i) => `${one.name} ${formatValue(point.values[i], one.unit)}`);
-  const role = ROLES[point.role];
-  const notes = [point.label.includes(role) ? "" : role, point.feasible ? "" : "infeasible"].filter((note) => note !== "");
+  const notes = [ROLES[point.role], point.feasible ? "" : "infeasible"].filter((note) => note !== "");
   return `${point.label}${notes.length > 0 ? ` (${notes.join(", ")})` : ""}: ${values.join(", ")}`;
 }
 
 /** Returns, for example, "start (published)" if the run names its start gains. */
 function startOf(points: Front["points"]): string {
-  const label = points.find((point) => point.role === "start")?.label ?? "";
-  return label.startsWith(ROLES.start) ? label : ROLES.start;
+  return points.find((point) => point.role === "start")?.label ?? "start";
 }
 
 function chartOf(front: Front, names: Names, xAxis: number, yAxis: number, told: HTMLElement): Chart {
@@ -97,7 +96,7 @@ function pointTable(front: Front): HTMLElement {
   for (const one of front.criteria) head.append(element("th", { scope: "col", class: "number" }, `${one.name} ${formatUnit(one.unit)}`));
   const body = element("tbody");
   for (const point of front.points) {
-    const role = ROLES[point.role] === "" || point.label.includes(ROLES[point.role]) ? "" : ` (${ROLES[point.role]})`;
+    const role = ROLES[point.role] === "" ? "" : ` (${ROLES[point.role]})`;
     const line = element("tr", {}, element("th", { scope: "row" }, `${point.label}${role}${point.feasible ? "" : ", infeasible"}`));
     for (const value of point.values) line.append(element("td", { class: "number" }, formatNumber(value)));
     body.append(line);

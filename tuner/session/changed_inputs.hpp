@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace armtune::internal::cli {
+namespace armtune::internal {
 
 /// The input files of a run: pairs of the path as run.yaml shows it, and the hash of the file.
 using RunInputs = std::vector<std::pair<std::string, std::string>>;
@@ -20,4 +20,4 @@ RunInputs inputs_of_run(const std::string& run);
 /// is not known here, so the path matches every file whose path ends with it.
 std::string changed_input(const RunInputs& inputs, const std::vector<std::string>& files);
 
-}  // namespace armtune::internal::cli
+}  // namespace armtune::internal

@@ -1,4 +1,4 @@
-#include "tuner/cli/changed_inputs.hpp"
+#include "tuner/session/changed_inputs.hpp"
 
 #include <filesystem>
 #include <string_view>
@@ -9,10 +9,10 @@
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_file.hpp"
 
-namespace armtune::internal::cli {
+namespace armtune::internal {
 namespace {
 
-constexpr std::string_view kInput = "inputs/";  // prefix of run.yaml's keys for input files
+constexpr std::string_view kInputPrefix = "inputs/";  // prefix of run.yaml's keys for input files
 
 /// Returns true if `text`, an input in run.yaml, may mean the file at this absolute path.
 bool may_mean(const std::string& text, const std::string& path) {
@@ -29,7 +29,7 @@ RunInputs inputs_of_run(const std::string& run) {
   const auto path = find_run_file(run, "run.yaml");
   if (!path) return inputs;
   for (const auto& [key, value] : report::read_provenance(*path)) {
-    if (key.starts_with(kInput)) inputs.emplace_back(key.substr(kInput.size()), value);
+    if (key.starts_with(kInputPrefix)) inputs.emplace_back(key.substr(kInputPrefix.size()), value);
   }
   return inputs;
 }
@@ -48,4 +48,4 @@ std::string changed_input(const RunInputs& inputs, const std::vector<std::string
   return {};
 }
 
-}  // namespace armtune::internal::cli
+}  // namespace armtune::internal

@@ -7,12 +7,12 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune::internal::cli {
+namespace armtune::internal {
 
 /// Returns the run folder that a folder with rollouts belongs to. A run may keep the rollouts of each gain
 /// set in a subfolder. Therefore this is the parent of the folder if only the parent has a run.yaml,
 /// otherwise the folder itself.
-std::string run_of(const std::string& folder);
+std::string run_folder_of(const std::string& folder);
 
 /// Loads the scenarios called `names`. If `names` is empty, returns the scenario of every
 /// rollout_<scenario>.csv in the folder. A scenario is searched first in the run's study, then among the
@@ -21,4 +21,4 @@ std::string run_of(const std::string& folder);
 /// message tells the user what to give instead.
 std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::vector<std::string>& names);
 
-}  // namespace armtune::internal::cli
+}  // namespace armtune::internal

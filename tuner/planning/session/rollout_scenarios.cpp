@@ -1,4 +1,4 @@
-#include "tuner/cli/rollout_scenarios.hpp"
+#include "tuner/planning/session/rollout_scenarios.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,11 +9,11 @@
 #include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "tuner/cli/changed_inputs.hpp"
 #include "tuner/run/run_file.hpp"
+#include "tuner/session/changed_inputs.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune::internal::cli {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,7 +91,7 @@ void refuse_changed(const Scenario& scenario, const std::string& run, const RunI
 
 }  // namespace
 
-std::string run_of(const std::string& folder) {
+std::string run_folder_of(const std::string& folder) {
   const std::string above = without_dots(folder + "/..");
   const bool own = exists(folder + "/run.yaml");
   return !own && exists(above + "/run.yaml") ? above : folder;
@@ -106,7 +106,7 @@ std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::ve
   }
   const auto recorded = names_in(folder);
   if (recorded.empty()) without_rollouts(folder);
-  const std::string run = run_of(folder);
+  const std::string run = run_folder_of(folder);
   const RunInputs inputs = inputs_of_run(run);
   const std::vector<Scenario> study = studied(run);
   scenarios.reserve(recorded.size());
@@ -121,4 +121,4 @@ std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::ve
   return scenarios;
 }
 
-}  // namespace armtune::internal::cli
+}  // namespace armtune::internal

@@ -1,0 +1,14 @@
+#pragma once
+// The option --max-stiffness of a study that exists already.
+
+#include <vector>
+
+#include "tuner/study/study.hpp"
+
+namespace armtune::internal::cli {
+
+/// Tunes the stiffness of the study's controller up to `most` (bound_stiffness). If `most` is empty, prints
+/// note_on_stiffness(study) on one line if it has a text. Ranks other than 0 print nothing.
+void apply_stiffness(const std::vector<double>& most, Study& study);
+
+}  // namespace armtune::internal::cli
