@@ -64,6 +64,7 @@ export async function checkDrawn({ page, data, expect }) {
     ["robustness", "robustness"],
     ["margins", "margins"],
     ["plan", "plan"],
+    ["yardstick", "yardstick"],
     ["provenance", "provenance"],
   ]) {
     const there = data[part] !== undefined && (!Array.isArray(data[part]) || data[part].length > 0);
