@@ -41,7 +41,7 @@ inline constexpr const char* kScenarioDeadlineHelp =
     "wall-clock time limit of one scenario [s]; beyond it the scenario is interrupted";
 /// Default of --rollout-deadline as --help shows it.
 inline constexpr const char* kDeadlineDefault = "20, plus 2 per simulated second";
-/// Help text and default of --limit, of which each value is one limit of a metric.
+/// Help text and default of the option --limit. Each of its values is the limit of one metric.
 inline constexpr const char* kLimitHelp =
     "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated";
 inline constexpr const char* kLimitDefault =

@@ -64,7 +64,7 @@ void bound_stiffness(const std::vector<double>& most, Study& study) {
       throw InputError(fmt::format(
           "--max-stiffness has {} numbers, and {} has {}; give {}, or one for each of them", most.size(),
           entry.field->name, entry.count,
-          entry.count == 6 ? "one for translations and one for rotations" : "one for all joints"));
+          is_of_task(entry) ? "one for translations and one for rotations" : "one for all joints"));
     double& start = value(study.space.start, entry);
     if (start == 0.0) continue;
     start = std::min(start, upper);

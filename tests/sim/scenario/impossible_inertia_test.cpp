@@ -53,7 +53,7 @@ struct GivenLink {
   Vec3 moments;  // kg m^2, about the link's axes
 };
 
-/// A URDF of links l0, l1, ..., each of which turns about its z axis, on which its centre of mass lies.
+/// A URDF of links l0, l1, ... Each turns about its z axis, and its centre of mass lies on this axis.
 std::string arm_of(const std::vector<GivenLink>& links) {
   std::string text = test::link("base", "");
   for (std::size_t i = 0; i < links.size(); ++i) {

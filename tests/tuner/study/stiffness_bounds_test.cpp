@@ -86,8 +86,10 @@ TEST(StiffnessBounds, WhatDoesNotFitIsRefused) {
   };
   EXPECT_THAT(refused("adaptive", {100.0}), AllOf(HasSubstr("--max-stiffness"), HasSubstr("adaptive")));
   EXPECT_THAT(refused("impedance", {100.0}), AllOf(HasSubstr("1 numbers"), HasSubstr("impedance_k has 6")));
-  EXPECT_THAT(refused("joint_impedance", {100.0, 200.0}),
-              AllOf(HasSubstr("2 numbers"), HasSubstr("joint_impedance_k has 6")));
+  // Six joints are not the six axes of a task.
+  EXPECT_THAT(
+      refused("joint_impedance", {100.0, 200.0}),
+      AllOf(HasSubstr("2 numbers"), HasSubstr("joint_impedance_k has 6"), HasSubstr("one for all joints")));
   EXPECT_THAT(note_on_stiffness(load_study(files.path())), IsEmpty());
 }
 

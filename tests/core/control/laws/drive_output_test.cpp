@@ -87,7 +87,7 @@ TEST(DriveOutput, DelaysEachTorqueByItsTime) {
       computed.push_back(random_vector(generator, 6, 50.0));
       JointVector tau = computed.back();
       output.pass(tau);
-      constexpr int kParts = 100;  // 5e-6 s to 2e-5 s, of which all delays are multiples
+      constexpr int kParts = 100;  // steps of 5e-6 s to 2e-5 s; every delay is a multiple
       JointVector mean = JointVector::Zero(6);
       for (int i = 0; i < 6; ++i) {
         for (int part = 0; part < kParts; ++part) {
