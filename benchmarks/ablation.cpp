@@ -20,6 +20,7 @@
 #include "benchmarks/ablation_runs.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/write_run_record.hpp"
 
 namespace {
 
@@ -204,7 +205,7 @@ int run(int argc, char** argv) {
   std::string folder;
   std::string tuned_gains = "extended_tuned";
   int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  app.add_option("--out", folder, "new folder for ablation.csv and run.yaml");
+  app.add_option("--out", folder, "new folder for ablation.csv and run.json");
   app.add_option("--gains", tuned_gains, "the tuned gains")->capture_default_str();
   app.add_option("--workers", workers, "threads")->check(CLI::Range(1, 1024))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
@@ -224,14 +225,16 @@ int run(int argc, char** argv) {
   print_demands(results[0][kIdentified], results[tuned][kIdentified]);
   if (folder.empty()) return 0;
   write_text_file(folder + "/ablation.csv", csv(all, results));
-  Provenance p;
-  p.command = fmt::format("benchmark_ablation --gains {}", tuned_gains);
-  p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  p.workers = workers;
+  RunRecord record;
+  record.kind = RunKind::kBenchmark;
+  FilesRead files;
+  record.command = fmt::format("benchmark_ablation --gains {}", tuned_gains);
+  record.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  record.workers = workers;
   for (std::size_t s = 0; s < kScenarios.size(); ++s) {
-    for (const Theta theta : kThetas) add_inputs({scenario_at(s, theta)}, p.inputs);
+    for (const Theta theta : kThetas) add_inputs({scenario_at(s, theta)}, files.inputs);
   }
-  write_text_file(folder + "/run.yaml", run_yaml(p));
+  write_text_file(folder + "/" + kRunRecord, run_record_json(with_circumstances(record, files)));
   return 0;
 }
 

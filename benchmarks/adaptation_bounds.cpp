@@ -22,6 +22,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/endurance/error_windows.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/write_run_record.hpp"
 #include "tuner/workers/parallel.hpp"
 
 namespace {
@@ -190,7 +191,7 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", seconds, "of the long run")->capture_default_str();
   app.add_option("--gains", gains_name, "bundled gains or a YAML file")->capture_default_str();
   app.add_option("--scenarios", names, "bundled scenarios or YAML files");
-  app.add_option("--out", folder, "folder for adaptation.csv and run.yaml");
+  app.add_option("--out", folder, "folder for adaptation.csv and run.json");
   app.add_option("--workers", workers, "threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
@@ -249,11 +250,14 @@ int main(int argc, char** argv) {
     if (!folder.empty()) {
       make_folder(folder);
       write_text_file(folder + "/adaptation.csv", csv);
-      Provenance p;
-      p.command = fmt::format("benchmark_adaptation_bounds --seconds {} --gains {}", seconds, gains_name);
-      add_inputs(scenarios, p.inputs);
-      p.workers = workers;
-      write_text_file(folder + "/run.yaml", run_yaml(p));
+      RunRecord record;
+      record.kind = RunKind::kBenchmark;
+      FilesRead files;
+      record.command =
+          fmt::format("benchmark_adaptation_bounds --seconds {} --gains {}", seconds, gains_name);
+      add_inputs(scenarios, files.inputs);
+      record.workers = workers;
+      write_text_file(folder + "/" + kRunRecord, run_record_json(with_circumstances(record, files)));
     }
   } catch (const armtune::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -23,6 +23,7 @@
 #include "sim/scenario/perturbation.hpp"
 #include "tuner/endurance/endurance.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/write_run_record.hpp"
 #include "tuner/workers/parallel.hpp"
 
 namespace {
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
   app.add_option("--arm-minutes", arm_minutes, "of each of them")->capture_default_str();
   app.add_option("--seed", seed, "of the random arms")->capture_default_str();
   app.add_option("--only", only, "a part of the gain set's or the scenario's name");
-  app.add_option("--out", folder, "folder for endurance.csv and run.yaml");
+  app.add_option("--out", folder, "folder for endurance.csv and run.json");
   app.add_option("--workers", workers, "threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   const auto began = std::chrono::steady_clock::now();
@@ -157,14 +158,16 @@ int main(int argc, char** argv) {
     if (!folder.empty()) {
       make_folder(folder);
       write_text_file(folder + "/endurance.csv", csv);
-      Provenance p;
-      p.command = fmt::format("benchmark_endurance{} --minutes {} --arms {} --arm-minutes {} --seed {}",
-                              only.empty() ? "" : " --only " + only, minutes, arms, arm_minutes, seed);
-      add_inputs(scenarios, p.inputs);
-      p.seed = seed;
-      p.workers = workers;
-      p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-      write_text_file(folder + "/run.yaml", run_yaml(p));
+      RunRecord record;
+      record.kind = RunKind::kBenchmark;
+      FilesRead files;
+      record.command = fmt::format("benchmark_endurance{} --minutes {} --arms {} --arm-minutes {} --seed {}",
+                                   only.empty() ? "" : " --only " + only, minutes, arms, arm_minutes, seed);
+      add_inputs(scenarios, files.inputs);
+      record.seed = seed;
+      record.workers = workers;
+      record.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+      write_text_file(folder + "/" + kRunRecord, run_record_json(with_circumstances(record, files)));
     }
     fmt::print("{} of {} long runs failed\n", failed, jobs.size());
     return failed == 0 ? 0 : 3;

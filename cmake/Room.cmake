@@ -32,12 +32,42 @@ function(armtune_precompile TARGET)
     $<$<CXX_COMPILER_ID:Clang>:-Xclang;-fno-pch-timestamp> $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()
 
-# armtune_together(TARGET): compiles eight of its files as one, which takes a third of the time. So no two files of a room may
-# have the same name in an anonymous namespace.
+# armtune_together(TARGET [PATTERN]): compiles eight of its files, of those that match the pattern, as one, which takes a third of
+# the time. So no two files of a room may have the same name in an anonymous namespace. Files with definitions of their own, or with
+# SKIP_UNITY_BUILD_INCLUSION because another target has them too, are compiled alone. The files name each other from the top of the
+# repository, not by whole paths as CMake's UNITY_BUILD does, so that ccache knows them in another clone.
 function(armtune_together TARGET)
   if(ARMTUNE_UNITY)
-    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    # At the end of the folder's CMakeLists.txt, when all its sources and their properties are known.
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL armtune_put_together [[${TARGET}]] [[${ARGN}]])")
   endif()
+endfunction()
+
+function(armtune_put_together TARGET PATTERN)
+  get_target_property(sources ${TARGET} SOURCES)
+  list(FILTER sources INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/.*${PATTERN}")
+  list(FILTER sources EXCLUDE REGEX "^${PROJECT_BINARY_DIR}/")
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/together)
+  set(number 0)
+  foreach(source ${sources})
+    get_source_file_property(alone ${source} SKIP_UNITY_BUILD_INCLUSION)
+    get_source_file_property(definitions ${source} COMPILE_DEFINITIONS)
+    if(alone OR definitions)
+      continue()
+    endif()
+    set_source_files_properties(${source} PROPERTIES HEADER_FILE_ONLY ON)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE path)
+    math(EXPR batch "${number} / 8")
+    string(APPEND text_${batch} "#include \"${path}\"\n")
+    math(EXPR number "${number} + 1")
+  endforeach()
+  if(number EQUAL 0)
+    return()
+  endif()
+  foreach(part RANGE ${batch})
+    file(CONFIGURE OUTPUT ${folder}/${TARGET}_${part}.cpp CONTENT "${text_${part}}" @ONLY)
+    target_sources(${TARGET} PRIVATE ${folder}/${TARGET}_${part}.cpp)
+  endforeach()
 endfunction()
 
 function(armtune_room NAME)

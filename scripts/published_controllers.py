@@ -12,7 +12,9 @@ UR5E = [0.0, -1.57, 1.2, -1.2, -1.57, 0.0]
 UR_JOINTS = ["shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint"]
 
 # Robot, where its gains are published, command interface, rate of the controller [Hz], where the motion begins [rad], p, i, d, i_clamp by
-# joint, and the share of the desired velocity.
+# joint, and the share of the desired velocity. The package of xarm7_effort has no joint_trajectory_controller with efforts: its file gives
+# these p, i and d to one JointPositionController for each joint, without an i_clamp. Here a joint_trajectory_controller has them, with an
+# i_clamp that they hardly reach.
 PACKAGES = {
     "ur5e_effort": (
         "ur5e",
@@ -32,7 +34,8 @@ PACKAGES = {
         0.0),
     "xarm7_effort": (
         "xarm7",
-        "xArm-Developer/xarm_ros, xarm_controller/config/xarm7_effort_controllers.yaml, 38a1255c",
+        "xArm-Developer/xarm_ros, xarm_controller/config/xarm7_effort_controllers.yaml, 38a1255c (there for "
+        "JointPositionControllers, one for each joint, without an i_clamp; here 100 N m)",
         "effort", 500,
         [0.0, -0.3, 0.0, 1.2, 0.0, 1.5, 0.0],
         {f"joint{k}": (*gains, 100) for k, gains in enumerate(

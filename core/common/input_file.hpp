@@ -19,7 +19,7 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
 
 /// Does the same as read_file for a file that the user named. While an InputRecord lives, the file is read
 /// once and every later call returns the same bytes. Also throws InputError if the path is not printable (see
-/// is_printable), because run.yaml, the record of a run's inputs, could not name it.
+/// is_printable), because run.json, the record of a run's inputs, could not name it.
 std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
 /// Keeps the content of the files that read_input_file reads, for as long as it lives. A run then uses and

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "armtune/error.hpp"
@@ -115,25 +116,28 @@ std::vector<ImpossibleInertia> LinkInertias::replace_impossible(int i, JointMoti
 
 void LinkInertias::judge(Chain& chain, const std::string& source, MissingData* missing) const {
   std::string named;
+  std::optional<ImpossibleInertia> first;
   for (int i = 0; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     LinkInertia body = chain.link[k];
     for (ImpossibleInertia& link : replace_impossible(i, chain.motion[k], body)) {
       named += fmt::format("{}{} ({})", named.empty() ? "" : ", ", link.link, link.fault);
+      if (!first) first = link;
       if (missing == nullptr) continue;
       missing->impossible.push_back(std::move(link));
       chain.link[k] = body;
     }
   }
-  if (missing != nullptr || named.empty()) return;
+  if (missing != nullptr || !first) return;
   throw InputError(
-      InputPlace{source},
+      InputPlace{source, 0, first->link + "/inertia"},
       fmt::format(
           "no moving link can have this inertia: {}. No mass or moment may be negative, no principal moment may "
           "be larger than the sum of the other two (triangle inequality), and a link needs inertia about the "
           "axis of its joint. 'armtune robot {} --sidecar arm.yaml' proposes the nearest possible values, and "
           "asks for those that have none",
-          named, source));
+          named, source))
+      .with_value(first->fault, "the inertia of a rigid body");
 }
 
 }  // namespace armtune::internal

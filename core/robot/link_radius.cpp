@@ -46,11 +46,12 @@ RobotModel with_link_surfaces(const RobotModel& model) {
   }
   if (!unknown.empty()) {
     throw InputError(
-        InputPlace{model.source},
+        InputPlace{model.source, 0, "link_radius/" + unknown.front()},
         fmt::format(
             "the thickness of these links is not known: {}. They have no box, cylinder, sphere or capsule as "
             "a shape; give link_radius [m] in the robot's YAML",
-            fmt::join(unknown, ", ")));
+            fmt::join(unknown, ", ")))
+        .with_value({}, "a radius in m for: " + fmt::format("{}", fmt::join(unknown, ", ")));
   }
   RobotModel result = model;
   result.chain.link_radius = model.link_radii;

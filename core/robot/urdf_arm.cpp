@@ -52,9 +52,11 @@ class ArmBuilder {
   }
 
  private:
-  template <typename... Args>
-  [[noreturn]] void refuse(fmt::format_string<Args...> text, Args&&... args) const {
-    throw InputError(InputPlace{model_.source}, "" + fmt::format(text, std::forward<Args>(args)...));
+  /// key: the name of a joint, or a key of a robot YAML such as `limits/elbow`. value and limit: those of the
+  /// InputError.
+  [[noreturn]] void refuse(const std::string& key, const std::string& value, const std::string& limit,
+                           const std::string& problem) const {
+    throw InputError(InputPlace{model_.source, 0, key}, problem).with_value(value, limit);
   }
 
   /// Returns the orientation of the base link's frame in the root link's frame.
@@ -124,31 +126,37 @@ class ArmBuilder {
       names += (names.empty() ? "'" : ", '") + joint->name + "'";
       held += fmt::format("{}{}: {}", held.empty() ? "" : ", ", joint->name, place_to_hold(*joint, options_));
     }
-    refuse(
-        "the moving joints {0} are not part of the chain to '{1}'; fix them at a position (rad or m) with "
-        "'hold: {{{2}}}' in a robot YAML",
-        names, tip_name(), held);
+    const std::string hold = fmt::format("hold: {{{}}}", held);
+    refuse(loose_.front()->name, {}, hold,
+           fmt::format("the moving joints {} are not part of the chain to '{}'; fix them at a position (rad "
+                       "or m) with '{}' in a robot YAML",
+                       names, tip_name(), hold));
   }
 
   /// Refuses limits, shapes and inertias in the options that belong to no part of the arm.
   void refuse_unused() const {
     for (const auto& [name, limits] : options_.limits) {
       if (!options_.held.contains(name)) {
-        if (!moves(name)) refuse("limits: joint '{}' is not a moving joint of this arm; leave it out", name);
+        if (moves(name)) continue;
+        refuse("limits/" + name, name, "a moving joint of the arm",
+               fmt::format("limits: joint '{}' is not a moving joint of this arm; leave it out", name));
       } else if (limits.velocity || limits.effort || limits.acceleration) {
-        refuse(
-            "limits: joint '{}' is fixed by 'hold', so only lower and upper are used; leave out velocity, "
-            "effort and acceleration",
-            name);
+        refuse("limits/" + name, {}, "lower and upper only",
+               fmt::format("limits: joint '{}' is fixed by 'hold', so only lower and upper are used; leave "
+                           "out velocity, effort and acceleration",
+                           name));
       }
     }
     for (const auto& [name, shapes] : options_.shapes) {
-      if (!sites_.contains(name)) refuse("shapes: link '{}' is not part of this arm; leave it out", name);
+      if (sites_.contains(name)) continue;
+      refuse("shapes/" + name, name, "a link of the arm",
+             fmt::format("shapes: link '{}' is not part of this arm; leave it out", name));
     }
     for (const auto& [name, inertia] : options_.inertia) {
       const auto site = sites_.find(name);
       if (site == sites_.end() || site->second.body < 0)
-        refuse("inertia: link '{}' is not moved by this arm; leave it out", name);
+        refuse("inertia/" + name, name, "a link that the arm moves",
+               fmt::format("inertia: link '{}' is not moved by this arm; leave it out", name));
     }
   }
 
@@ -175,8 +183,9 @@ class ArmBuilder {
     const Vec3& axis = joint.axis;
     const double length = axis.norm();
     if (!std::isfinite(length) || length < 1e-9)
-      refuse("joint '{}': axis '{} {} {}' has no direction; give it a unit vector", joint.name, axis.x(),
-             axis.y(), axis.z());
+      refuse(joint.name + "/axis", fmt::format("{} {} {}", axis.x(), axis.y(), axis.z()), "a unit vector",
+             fmt::format("joint '{}': axis '{} {} {}' has no direction; give it a unit vector", joint.name,
+                         axis.x(), axis.y(), axis.z()));
     return axis / length;
   }
 
@@ -229,9 +238,9 @@ class ArmBuilder {
   /// gripper. If only one finger were held, the other would become a joint of the arm.
   [[noreturn]] void refuse_mimic(const UrdfJoint& joint) const {
     const auto leader = tree_->joints.find(joint.mimics);
-    std::string hold;
-    const auto add = [&](const UrdfJoint& held) {
-      hold += fmt::format("{}{}: {}", hold.empty() ? "" : ", ", held.name, place_to_hold(held, options_));
+    std::string held;
+    const auto add = [&](const UrdfJoint& one) {
+      held += fmt::format("{}{}: {}", held.empty() ? "" : ", ", one.name, place_to_hold(one, options_));
     };
     const auto follows = [&](const auto& entry) {
       return entry.second.mimics == joint.mimics && !is_held(entry.second);
@@ -245,37 +254,46 @@ class ArmBuilder {
     for (const auto& entry : tree_->joints) {
       if (follows(entry)) add(entry.second);
     }
-    refuse(
-        "joint '{}': it mimics joint '{}'{}, which armtune cannot simulate; use 'hold: {{{}}}' in a robot "
-        "YAML",
-        joint.name, joint.mimics, fingers ? ", as the fingers of a gripper do" : "", hold);
+    const std::string hold = fmt::format("hold: {{{}}}", held);
+    refuse(joint.name, joint.mimics, hold,
+           fmt::format("joint '{}': it mimics joint '{}'{}, which armtune cannot simulate; use '{}' in a "
+                       "robot YAML",
+                       joint.name, joint.mimics, fingers ? ", as the fingers of a gripper do" : "", hold));
   }
 
   void require_supported(const UrdfJoint& joint, const Site& parent) const {
     if (joint.motion == UrdfMotion::kOther)
-      refuse(
-          "joint '{}': floating and planar joints are not supported; replace it by a fixed joint, or by "
-          "revolute and prismatic joints",
-          joint.name);
+      refuse(joint.name, {}, "a fixed, revolute, continuous or prismatic joint",
+             fmt::format("joint '{}': floating and planar joints are not supported; replace it by a fixed "
+                         "joint, or by revolute and prismatic joints",
+                         joint.name));
     if (!joint.mimics.empty()) refuse_mimic(joint);
     if (!joint.limits && missing_ == nullptr && !options_.limits.contains(joint.name))
-      refuse("joint '{}': no limits; add <limit velocity=\"..\" effort=\"..\"/> in rad/s and N m",
-             joint.name);
+      refuse(joint.name + "/limit", {}, "<limit velocity=\"..\" effort=\"..\"/>",
+             fmt::format("joint '{}': no limits; add <limit velocity=\"..\" effort=\"..\"/> in rad/s and N m",
+                         joint.name));
     // Bodies are numbered along the chain: body b carries joint b + 1.
     const int next_body = parent.body + 1;
     const auto next = static_cast<std::size_t>(next_body);
-    if (next < model_.joints.size()) {
-      const UrdfJoint& other = tree_->joints.at(model_.joints[next].name);
-      refuse(
-          "armtune needs a serial arm, but joints '{0}' and '{1}' both move on '{2}'. If they are the "
-          "fingers of a gripper, hold both with 'hold: {{{0}: {3}, {1}: {4}}}' in a robot YAML; otherwise "
-          "name the tip_link, or hold the joint that is not part of the arm",
-          other.name, joint.name, next == 0 ? model_.base_link : model_.joints[next - 1].link,
-          place_to_hold(other, options_), place_to_hold(joint, options_));
-    }
+    if (next < model_.joints.size()) refuse_branch(joint, next);
     if (model_.n() == kMaxJoints)
-      refuse("joint '{}' is moving joint number {}; armtune supports at most {}", joint.name, kMaxJoints + 1,
-             kMaxJoints);
+      refuse(joint.name, std::to_string(kMaxJoints + 1), fmt::format("at most {} moving joints", kMaxJoints),
+             fmt::format("joint '{}' is moving joint number {}; armtune supports at most {}", joint.name,
+                         kMaxJoints + 1, kMaxJoints));
+  }
+
+  /// Refuses a joint that moves on the same link as the arm's joint `next`.
+  [[noreturn]] void refuse_branch(const UrdfJoint& joint, std::size_t next) const {
+    const UrdfJoint& other = tree_->joints.at(model_.joints[next].name);
+    const std::string hold =
+        fmt::format("hold: {{{}: {}, {}: {}}}", other.name, place_to_hold(other, options_), joint.name,
+                    place_to_hold(joint, options_));
+    refuse(joint.name, other.name, "one moving joint on each link",
+           fmt::format("armtune needs a serial arm, but joints '{}' and '{}' both move on '{}'. If they are "
+                       "the fingers of a gripper, hold both with '{}' in a robot YAML; otherwise name the "
+                       "tip_link, or hold the joint that is not part of the arm",
+                       other.name, joint.name, next == 0 ? model_.base_link : model_.joints[next - 1].link,
+                       hold));
   }
 
   void add_inertia(const UrdfLink& link, const Site& site) {
@@ -298,9 +316,11 @@ class ArmBuilder {
       std::string possible;
       for (const auto& [name, site] : sites_)
         if (site.body == model_.n() - 1) possible += (possible.empty() ? "" : ", ") + name;
-      refuse("link '{}' cannot carry the tool frame: {}; set tip_link to one of: {}", model_.tip_link,
-             found == sites_.end() ? "there is no such link" : "it is not fixed to the last moving link",
-             possible);
+      refuse("tip_link", model_.tip_link, "one of: " + possible,
+             fmt::format(
+                 "link '{}' cannot carry the tool frame: {}; set tip_link to one of: {}", model_.tip_link,
+                 found == sites_.end() ? "there is no such link" : "it is not fixed to the last moving link",
+                 possible));
     }
     const Site& tip = found->second;
     model_.chain.R_BT = tip.R_BL * options_.R_tip_T;

@@ -20,11 +20,12 @@ JointLimits limits_of(const UrdfJoint& joint, const UrdfOptions& options, const 
   const bool lacks_position = !range && !turns_freely;
   if (missing == nullptr && lacks_position)
     throw InputError(
-        InputPlace{source},
+        InputPlace{source, 0, joint.name + "/lower"},
         fmt::format(
             "joint '{}': its lower and upper position limits are missing or the same; give both in the URDF "
             "or by 'limits' in a robot YAML",
-            joint.name));
+            joint.name))
+        .with_value({}, "a lower limit below an upper one");
   const UrdfJoint::Limits file = joint.limits.value_or(UrdfJoint::Limits{});
   const auto [lower, upper] = range.value_or(std::pair(0.0, 0.0));
   JointLimits limits{range.has_value(),

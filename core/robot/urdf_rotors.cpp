@@ -41,13 +41,17 @@ std::optional<Said> said(const pugi::xml_node& actuator, const char* element, bo
   return Said{element, in_attribute ? node.attribute("value").value() : node.child_value()};
 }
 
+[[noreturn]] void refuse(const Said& said, const std::string& joint, const std::string& path,
+                         const std::string& problem, const char* limit) {
+  throw InputError(InputPlace{path, 0, fmt::format("{}/{}", joint, said.element)},
+                   fmt::format("joint '{}': the {} of its transmission {}", joint, said.element, problem))
+      .with_value(said.text, limit);
+}
+
 double read(const Said& said, const std::string& joint, const std::string& path) {
   const std::optional<double> value = number(said.text);
-  if (!value) {
-    throw InputError(InputPlace{path},
-                     fmt::format("joint '{}': the {} of its transmission is '{}', which is not a number",
-                                 joint, said.element, said.text));
-  }
+  if (!value)
+    refuse(said, joint, path, fmt::format("is '{}', which is not a number", said.text), "a finite number");
   return *value;
 }
 
@@ -57,21 +61,13 @@ std::optional<double> reflected(const pugi::xml_node& actuator, const std::strin
   const std::optional<Said> rotor = said(actuator, "drake:rotor_inertia", true);
   if (!rotor) return std::nullopt;
   const double inertia = read(*rotor, joint, path);
-  if (inertia < 0.0) {
-    throw InputError(
-        InputPlace{path},
-        fmt::format("joint '{}': the drake:rotor_inertia of its transmission is {}; it must not be negative",
-                    joint, inertia));
-  }
+  if (inertia < 0.0)
+    refuse(*rotor, joint, path, fmt::format("is {}; it must not be negative", inertia), "not negative");
   std::optional<Said> gear = said(actuator, "drake:gear_ratio", true);
   if (!gear) gear = said(actuator, "mechanicalReduction", false);
   if (!gear) return inertia;
   const double ratio = read(*gear, joint, path);
-  if (ratio == 0.0) {
-    throw InputError(
-        InputPlace{path},
-        fmt::format("joint '{}': the {} of its transmission is 0; it must not be 0", joint, gear->element));
-  }
+  if (ratio == 0.0) refuse(*gear, joint, path, "is 0; it must not be 0", "not 0");
   return ratio * ratio * inertia;
 }
 

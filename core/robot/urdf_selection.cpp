@@ -21,30 +21,37 @@ std::vector<std::string> names_of(const Map& map) {
   return names;
 }
 
-void require_link(const UrdfTree& tree, const std::string& name, const char* what,
+/// key: the key of a robot YAML that names the link, such as `tip_link` or `inertia/forearm`.
+void require_link(const UrdfTree& tree, const std::string& name, const std::string& key, const char* what,
                   const std::string& source) {
   if (tree.links.contains(name)) return;
-  throw InputError(InputPlace{source}, fmt::format("{} '{}': there is no such link{}", what, name,
-                                                   suggestion(name, names_of(tree.links))));
+  throw InputError(InputPlace{source, 0, key}, fmt::format("{} '{}': there is no such link{}", what, name,
+                                                           suggestion(name, names_of(tree.links))))
+      .with_value(name, "the name of a link");
 }
 
 void require_joint(const UrdfTree& tree, const std::string& name, const char* what,
                    const std::string& source) {
   if (tree.joints.contains(name)) return;
-  throw InputError(InputPlace{source}, fmt::format("{}: there is no joint '{}'{}", what, name,
-                                                   suggestion(name, names_of(tree.joints))));
+  throw InputError(
+      InputPlace{source, 0, fmt::format("{}/{}", what, name)},
+      fmt::format("{}: there is no joint '{}'{}", what, name, suggestion(name, names_of(tree.joints))))
+      .with_value(name, "the name of a joint");
 }
 
 void check_held(const UrdfJoint& joint, double value, const UrdfOptions& options, const std::string& source) {
+  const InputPlace place{source, 0, "hold/" + joint.name};
   if (joint.motion == UrdfMotion::kFixed || joint.motion == UrdfMotion::kOther) {
-    throw InputError(InputPlace{source},
-                     fmt::format("hold: joint '{}' is fixed, floating or planar; leave it out", joint.name));
+    throw InputError(place,
+                     fmt::format("hold: joint '{}' is fixed, floating or planar; leave it out", joint.name))
+        .with_value(joint.name, "a revolute, continuous or prismatic joint");
   }
   const auto [lower, upper] = position_range(joint, options).value_or(std::pair(-HUGE_VAL, HUGE_VAL));
   if (std::isfinite(value) && value >= lower && value <= upper) return;
-  throw InputError(InputPlace{source},
+  throw InputError(place,
                    fmt::format("hold: joint '{}' at {} {} is outside its limits {} .. {}", joint.name, value,
-                               joint.motion == UrdfMotion::kPrismatic ? "m" : "rad", lower, upper));
+                               joint.motion == UrdfMotion::kPrismatic ? "m" : "rad", lower, upper))
+      .with_value(fmt::to_string(value), fmt::format("{} to {}", lower, upper));
 }
 
 bool moves(const UrdfJoint& joint, const UrdfOptions& options) {
@@ -103,8 +110,10 @@ UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const
     check_held(tree.joints.at(joint), value, options, source);
   }
   for (const auto& [joint, limits] : options.limits) require_joint(tree, joint, "limits", source);
-  for (const auto& [link, inertia] : options.inertia) require_link(tree, link, "inertia of link", source);
-  if (!options.base_link.empty()) require_link(tree, options.base_link, "base_link", source);
+  for (const auto& [link, inertia] : options.inertia) {
+    require_link(tree, link, "inertia/" + link, "inertia of link", source);
+  }
+  if (!options.base_link.empty()) require_link(tree, options.base_link, "base_link", "base_link", source);
 
   UrdfSelection selection;
   selection.base = options.base_link.empty() ? tree.root : options.base_link;
@@ -113,15 +122,16 @@ UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const
   // A missing tip link is normally reported by the arm's builder, which knows the links that can carry the
   // tool. In a branching tree it is reported here, because the builder would first ask which arm is meant.
   if (asked && !tree.links.contains(tip) && branches(tree, options))
-    require_link(tree, tip, "tip_link", source);
+    require_link(tree, tip, "tip_link", "tip_link", source);
   if (!tree.links.contains(tip)) return selection;
   const bool behind = find_way(tree, selection.base, tip, selection.on_the_way);
   if (asked && !behind) {
     throw InputError(
-        InputPlace{source},
+        InputPlace{source, 0, "tip_link"},
         fmt::format("no chain of joints leads from base_link '{}' to tip_link '{}'; choose two links on "
                     "the same chain, the tip_link after the base_link",
-                    selection.base, tip));
+                    selection.base, tip))
+        .with_value(tip, fmt::format("a link on a chain from '{}'", selection.base));
   }
   selection.has_tip =
       behind && std::any_of(selection.on_the_way.begin(), selection.on_the_way.end(),

@@ -18,9 +18,10 @@ void require_tree(const UrdfTree& tree, const std::string& source) {
       const std::string& child = tree.joints.at(name).child;
       if (!reached.insert(child).second) {
         throw InputError(
-            InputPlace{source},
+            InputPlace{source, 0, child},
             fmt::format("link '{}' has a second parent joint, '{}'; links and joints must form a tree", child,
-                        name));
+                        name))
+            .with_value(name, "one parent joint");
       }
       open.push_back(child);
     }
@@ -28,7 +29,7 @@ void require_tree(const UrdfTree& tree, const std::string& source) {
   for (const auto& [name, link] : tree.links) {
     if (reached.contains(name)) continue;
     throw InputError(
-        InputPlace{source},
+        InputPlace{source, 0, name},
         fmt::format("link '{}': no joints lead to it from the root link '{}'; is it part of a loop?", name,
                     tree.root));
   }

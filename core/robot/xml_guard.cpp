@@ -13,6 +13,7 @@
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/common/input_place.hpp"
+#include "core/robot/xacro.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -55,6 +56,14 @@ std::string argument(const std::string& path) {
   return path.find(' ') == kEnd ? path : "'" + path + "'";
 }
 
+/// True if the program xacro has to expand the file, by its name or by what is in it.
+bool is_xacro(const std::string& path, std::string_view text) {
+  if (path.ends_with(".xacro")) return true;
+  constexpr std::array<std::string_view, 5> kMarks = {"<xacro:", "\"${", "'${", "\"$(", "'$("};
+  return std::any_of(kMarks.begin(), kMarks.end(),
+                     [text](std::string_view mark) { return text.find(mark) != kEnd; });
+}
+
 /// Checks all tags in one pass, without recursion. It reads tags as tinyxml does: quoted text inside tags is
 /// skipped, and comments and CDATA end at their first end mark. A `<` inside a tag is refused, so that both
 /// parsers agree on where an element starts.
@@ -87,16 +96,24 @@ class Scanner {
   }
 
  private:
+  /// key: the element, such as `joint/axis`.
+  InputError error_at(std::size_t at, std::string_view key, const std::string& problem) const {
+    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    return {at_line(path_, line, std::string(key)), problem};
+  }
+
   template <typename... Args>
   [[noreturn]] void refuse(std::size_t at, fmt::format_string<Args...> text, Args&&... args) const {
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    throw InputError(at_line(path_, line), fmt::format(text, std::forward<Args>(args)...));
+    throw error_at(at, {}, fmt::format(text, std::forward<Args>(args)...));
   }
 
   [[noreturn]] void refuse_xacro(std::size_t at, std::string_view found) const {
     const std::string command = fmt::format("xacro {} > {}", argument(path_), argument(expanded_name(path_)));
-    refuse(at, "'{}': this is xacro, not URDF; expand it first: {} (ROS 2: ros2 run xacro {})", found,
-           command, command);
+    const std::string problem = fmt::format(
+        "'{}': this is xacro, not URDF; expand it first: {} (ROS 2: ros2 run xacro {}), or let armtune run "
+        "xacro with the option --xacro",
+        found, command, command);
+    throw error_at(at, {}, problem).with_value(std::string(found), "URDF without xacro");
   }
 
   std::size_t end_of(std::size_t at, std::size_t opening, std::string_view mark) const {
@@ -114,10 +131,11 @@ class Scanner {
       if (text_[end] == '"' || text_[end] == '\'') end = attribute(at, end);
       if (text_[end] == '%') refuse_format(end);
       if (text_[end] == '=' && ++attributes > kMaxAttributes)
-        refuse(
-            at,
-            "a tag has more than {} attributes; a URDF needs no more than 10; remove those that it does not need",
-            kMaxAttributes);
+        throw error_at(at, {},
+                       fmt::format("a tag has more than {} attributes; a URDF needs no more than 10; remove "
+                                   "those that it does not need",
+                                   kMaxAttributes))
+            .with_value({}, fmt::format("at most {} attributes", kMaxAttributes));
     }
     if (end >= text_.size() || text_[end] == '<') refuse(at, "a tag is not closed by '>'; close it");
     const std::string_view body = text_.substr(at + 1, end - at - 1);
@@ -135,29 +153,39 @@ class Scanner {
     const std::string_view name = body.substr(0, body.find_first_of(" \t\r\n/"));
     if (name.starts_with("xacro:")) refuse_xacro(at, fmt::format("<{}>", name));
     if (elements_ == 0) refuse_other_format(at, name);
-    if (++elements_ > kMaxElements)
-      refuse(at, "the file has more than {} elements; armtune needs a serial arm, which has far fewer",
-             kMaxElements);
-    if (name == "link" && ++links_ > kMaxLinks)
-      refuse(at, "the file has more than {} links; armtune needs a serial arm, which has far fewer",
-             kMaxLinks);
+    if (++elements_ > kMaxElements) refuse_number(at, kMaxElements, "elements");
+    if (name == "link" && ++links_ > kMaxLinks) refuse_number(at, kMaxLinks, "links");
     refuse_second(at, name);
     complete_limit(at, name, body);
     if (!body.ends_with('/') && ++depth_ > kMaxDepth)
-      refuse(at, "elements are nested deeper than {}; a URDF needs no more than 10", kMaxDepth);
+      throw error_at(
+          at, name,
+          fmt::format("elements are nested deeper than {}; a URDF needs no more than 10", kMaxDepth))
+          .with_value({}, fmt::format("at most {} levels", kMaxDepth));
+  }
+
+  [[noreturn]] void refuse_number(std::size_t at, int most, const char* what) const {
+    throw error_at(
+        at, {},
+        fmt::format("the file has more than {} {}; armtune needs a serial arm, which has far fewer", most,
+                    what))
+        .with_value({}, fmt::format("at most {} {}", most, what));
   }
 
   /// Refuses SDF and MJCF files, which the name of their first element reveals.
   void refuse_other_format(std::size_t at, std::string_view name) const {
     if (name == "sdf") {
-      refuse(at,
-             "this is an SDF file, but armtune reads URDF; convert it, for example with sdf2urdf of "
-             "sdformat_tools or of pysdf");
+      throw error_at(at, name,
+                     "this is an SDF file, but armtune reads URDF; convert it, for example with sdf2urdf of "
+                     "sdformat_tools or of pysdf")
+          .with_value(std::string(name), "URDF");
     }
     if (name == "mujoco" || name == "mujocoinclude") {
-      refuse(at,
-             "this is an MJCF file of MuJoCo, but armtune reads URDF; use the vendor's URDF, or convert the "
-             "file, for example with the Python package mjcf-urdf-simple-converter");
+      throw error_at(
+          at, name,
+          "this is an MJCF file of MuJoCo, but armtune reads URDF; use the vendor's URDF, or convert the "
+          "file, for example with the Python package mjcf-urdf-simple-converter")
+          .with_value(std::string(name), "URDF");
     }
   }
 
@@ -171,7 +199,9 @@ class Scanner {
     if (depth_ != 2 || (owner_ != "link" && owner_ != "joint")) return;
     if (std::find(kOnce.begin(), kOnce.end(), name) == kOnce.end()) return;
     if (std::find(seen_.begin(), seen_.end(), name) != seen_.end())
-      refuse(at, "a second <{}> in one <{}>; remove one of the two", name, owner_);
+      throw error_at(at, fmt::format("{}/{}", owner_, name),
+                     fmt::format("a second <{}> in one <{}>; remove one of the two", name, owner_))
+          .with_value({}, fmt::format("one <{}>", name));
     seen_.push_back(name);
   }
 
@@ -227,10 +257,17 @@ class Scanner {
 
 std::string read_guarded_urdf(const std::string& path) {
   std::string text = read_input_file(path, kMaxBytes, "a URDF file");
+  std::string shown = path;
+  if (is_xacro(path, text)) {
+    if (auto expanded = expanded_xacro(path, kMaxBytes)) {
+      text = std::move(*expanded);
+      shown += " (expanded)";  // lines in messages are those of the expanded text
+    }
+  }
   if (text.empty()) throw InputError(InputPlace{path}, "is empty");
   if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
     throw InputError(InputPlace{path}, "is UTF-16 or binary; save it as UTF-8");
-  Scanner scanner(path, text);
+  Scanner scanner(shown, text);
   scanner.run();
   return scanner.completed();
 }

@@ -7,10 +7,12 @@
 
 namespace armtune::internal {
 
-/// Returns the text of an expanded URDF that is safe to pass to urdfdom. Velocity and effort limits that a
-/// moving joint does not give are added as 0. Throws InputError, naming file and (if known) line, for:
+/// Returns the text of an expanded URDF that is safe to pass to urdfdom. A xacro file is expanded first if
+/// the user has allowed it (see XacroExpansion); lines in messages are then those of the expanded text.
+/// Velocity and effort limits that a moving joint does not give are added as 0. Throws InputError, naming
+/// file and (if known) line, for:
 ///   - a file that cannot be read, is a directory, empty, larger than 32 MB, UTF-16 or binary,
-///   - SDF, MJCF, or xacro that is not expanded,
+///   - SDF, MJCF, or xacro that is not expanded, or that xacro cannot expand,
 ///   - a tag or comment without its end,
 ///   - a second `<inertial>`, `<axis>`, ... in one link or joint,
 ///   - elements nested deeper than 1,000,

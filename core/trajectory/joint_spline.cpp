@@ -29,16 +29,21 @@ JointSpline::JointSpline(std::vector<double> time, std::vector<MotionPoint<Joint
 }
 
 JointSpline::JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots,
-                         PointsGive given)
+                         PointsGive given, BetweenPoints between)
     : JointSpline(std::move(time), std::move(knots)) {
   for (MotionPoint<JointVector>& knot : knots_) {
     if (given == PointsGive::kPositions) knot.velocity.setZero(knot.position.size());
     if (given != PointsGive::kAccelerations) knot.acceleration.setZero(knot.position.size());
   }
-  segments_ = ros_segments(time_, knots_, given);
+  jumps_ = between == BetweenPoints::kNextPoint;
+  if (!jumps_) segments_ = ros_segments(time_, knots_, given);
 }
 
 MotionPoint<JointVector> JointSpline::at(double t) const {
+  if (jumps_) {
+    const auto later = std::upper_bound(time_.begin(), time_.end() - 1, t);
+    return knots_[static_cast<std::size_t>(later - time_.begin())];
+  }
   if (!segments_.empty() && t >= end()) return knots_.back();
   const double inside = std::clamp(t, begin(), end());
   const auto next = std::upper_bound(time_.begin() + 1, time_.end() - 1, inside);

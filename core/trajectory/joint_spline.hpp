@@ -1,7 +1,8 @@
 #pragma once
 // A planned motion of an arm's joints, given by positions, velocities and accelerations at certain times, the
 // knots. Between knots the acceleration is linear, as in trajectory optimisation by direct transcription.
-// Alternatively the motion follows the polynomials of ROS's controllers (ros_segments.hpp).
+// Alternatively the motion follows the polynomials of ROS's controllers (ros_segments.hpp), or jumps from
+// knot to knot, as these controllers do if they do not interpolate.
 
 #include <vector>
 
@@ -12,6 +13,11 @@
 
 namespace armtune::internal {
 
+/// The motion between the points of a trajectory of ROS. kNextPoint: from the time of each point on, the
+/// motion has the state of the next point. This is what joint_trajectory_controller of ROS 2 does with
+/// interpolation_method `none` (Trajectory::sample of ros2_controllers, Jazzy ed360c9 and Humble ad559d9).
+enum class BetweenPoints { kInterpolated, kNextPoint };
+
 class JointSpline {
  public:
   /// Makes a motion whose acceleration is linear between knots. time: times of the knots [s], increasing, at
@@ -19,9 +25,11 @@ class JointSpline {
   /// increase or the counts differ.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots);
 
-  /// Makes a motion from the segments of ros_segments. given: the data of each knot that are used; the others
-  /// are set to zero. From the end on, q, q' and q'' have the values of the last knot. Throws as above.
-  JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots, PointsGive given);
+  /// Makes a motion as ROS does: from the segments of ros_segments, or with jumps. given: the data of each
+  /// knot that are used; the others are set to zero. From the end on, q, q' and q'' have the values of the
+  /// last knot. Throws as above.
+  JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots, PointsGive given,
+              BetweenPoints between = BetweenPoints::kInterpolated);
 
   double begin() const { return time_.front(); }
   double end() const { return time_.back(); }
@@ -29,7 +37,8 @@ class JointSpline {
   const std::vector<MotionPoint<JointVector>>& knots() const { return knots_; }
 
   /// Returns q, q', q'' at t. Before the start and after the end, it returns the values of the start and of
-  /// the end. Allocates nothing; the knots around t are found by bisection.
+  /// the end. With jumps, its values at a knot and until the next one are those of the next one. Allocates
+  /// nothing; the knots around t are found by bisection.
   MotionPoint<JointVector> at(double t) const;
 
   /// Returns the mean of q'' from t to t + dt, dt > 0. Time before the start and after the end of the motion
@@ -41,6 +50,7 @@ class JointSpline {
   std::vector<double> time_;
   std::vector<MotionPoint<JointVector>> knots_;
   std::vector<Quintic<JointVector>> segments_;  ///< empty: acceleration is linear between knots
+  bool jumps_ = false;                          ///< true: neither of both, but jumps
 };
 
 }  // namespace armtune::internal

@@ -35,10 +35,12 @@ PositionSpline polyline(const std::vector<Vec3>& corners, double speed, double b
   const std::size_t n = corners.size();
   if (n < (closed ? 3U : 2U)) {
     throw InputError(fmt::format("the line has {} corners; a {} line needs at least {}", n,
-                                 closed ? "closed" : "open", closed ? 3 : 2));
+                                 closed ? "closed" : "open", closed ? 3 : 2))
+        .with_value(std::to_string(n), fmt::format("at least {} corners", closed ? 3 : 2));
   }
   if (!(speed > 0.0) || !(blend > 0.0)) {
-    throw InputError(fmt::format("speed {} m/s and blend {} m must be above zero", speed, blend));
+    throw InputError(fmt::format("speed {} m/s and blend {} m must be above zero", speed, blend))
+        .with_value(fmt::to_string(speed > 0.0 ? blend : speed), "above zero");
   }
   // Side s leads from corner s to the next.
   const std::size_t sides = closed ? n : n - 1;
@@ -51,7 +53,8 @@ PositionSpline polyline(const std::vector<Vec3>& corners, double speed, double b
       throw InputError(
           fmt::format("corners {} and {} are {:.6g} m apart, which is less than the two blends of {:.6g} m "
                       "between them; reduce the blend",
-                      s + 1, (s + 1) % n + 1, length[s], blend));
+                      s + 1, (s + 1) % n + 1, length[s], blend))
+          .with_value(fmt::format("{:.6g}", length[s]), fmt::format("at least {:.6g} m", 2.0 * blend));
     }
     direction.push_back(side / length[s]);
   }

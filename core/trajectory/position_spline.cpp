@@ -43,7 +43,8 @@ PositionSpline::PositionSpline(const std::vector<double>& time, const std::vecto
     pieces_.emplace_back(knots_[k - 1], knots_[k], duration);
   }
   if (loops_ && !same(knots_.front(), knots_.back())) {
-    throw InputError("a looping motion must end with the position, velocity and acceleration of its start");
+    throw InputError("a looping motion must end with the position, velocity and acceleration of its start")
+        .with_value({}, "an end like the start");
   }
 }
 

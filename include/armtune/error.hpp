@@ -22,7 +22,10 @@ class Error : public std::runtime_error {
 struct InputPlace {
   std::string file = {};  ///< path as given by the user, or in a file of the user
   long line = 0;          ///< counted from 1
-  std::string key = {};   ///< in YAML a key path such as "targets/1/center", in CSV the name of the column
+  /// In YAML a key path such as "targets/1/center", in CSV the name of the column. In a URDF the name of a
+  /// link or joint with its property, such as "elbow_joint/effort". If a robot YAML gives a value that does
+  /// not fit its URDF, the file is the URDF and the key is that of the YAML, such as "hold/elbow_joint".
+  std::string key = {};
 };
 
 /// What is wrong with a part of the input. Members that are not known are empty.

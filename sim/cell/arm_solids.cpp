@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "sim/cell/hull.hpp"
+#include "sim/cell/mesh_file.hpp"
 #include "sim/cell/mesh_path.hpp"
-#include "sim/cell/stl_file.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -28,16 +28,17 @@ std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf,
         kMeshFolders);
     return std::nullopt;
   }
-  const auto corners = read_binary_stl(*path, kMostTriangles);
-  if (!corners) {
-    why = fmt::format("not a binary STL file with at most {} triangles; convert it", kMostTriangles);
+  const Mesh mesh = read_mesh(*path, kMostTriangles);
+  if (!mesh.refusal.empty()) {
+    why = mesh.refusal;
     return std::nullopt;
   }
   if (std::find(meshes.begin(), meshes.end(), *path) == meshes.end()) meshes.push_back(*path);
   std::vector<Vec3> points;
-  points.reserve(corners->size() / 3);
-  for (std::size_t i = 0; i + 2 < corners->size(); i += 3) {
-    const Eigen::Vector3f point((*corners)[i], (*corners)[i + 1], (*corners)[i + 2]);
+  const std::vector<float>& corners = mesh.corners;
+  points.reserve(corners.size() / 3);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    const Eigen::Vector3f point(corners[i], corners[i + 1], corners[i + 2]);
     points.push_back(shape.size.cwiseProduct(point.cast<double>()));
   }
   auto hull = convex_hull(points);

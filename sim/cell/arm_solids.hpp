@@ -26,9 +26,10 @@ struct ArmSolids {
 };
 
 /// Returns the solids of the arm, one for each shape. The shapes of a link are its collision geometry, or its
-/// visual geometry if it has none. A mesh is replaced by its convex hull. It must be a binary STL file that
-/// mesh_path() finds. If the origin of the tool frame lies outside the shapes of the last rigid body, a thin
-/// rod connects this origin to the nearest of these shapes. The rod is named "tool" and has a radius of 1 mm.
+/// visual geometry if it has none. A mesh is replaced by its convex hull. It must be an STL or OBJ file
+/// (mesh_file.hpp) that mesh_path() finds. If the origin of the tool frame lies outside the shapes of the
+/// last rigid body, a thin rod connects this origin to the nearest of these shapes. The rod is named "tool"
+/// and has a radius of 1 mm.
 ArmSolids arm_solids(const RobotModel& robot);
 
 }  // namespace armtune::internal

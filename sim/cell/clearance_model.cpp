@@ -156,6 +156,14 @@ Closest ClearanceModel::distance(const ContactPair& pair, const Poses& poses, co
   return closest(solid.placed.solid, R_0S, p_0S, other.placed.solid, R_0O, p_0O);
 }
 
+double ClearanceModel::most_unseen(double period) const {
+  // At any time between, one of the two times is at most half of the period away.
+  const JointVector travel = 0.5 * period * robot_->velocity_limits();
+  double most = 0.0;
+  for (const ContactPair& pair : pairs_) most = std::max(most, pair.lever.dot(travel));
+  return most;
+}
+
 std::string ClearanceModel::name(const ContactPair& pair) const {
   const std::string& link = arm_.solids[pair.solid].link;
   if (pair.of == Clearance::kFloor) return link + " and the floor";

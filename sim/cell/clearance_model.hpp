@@ -60,6 +60,11 @@ class ClearanceModel {
   /// part of the cell, base frame [m]; used only for pairs of the kind kCell.
   Closest distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const;
 
+  /// Returns the most by which the distance of a pair can be smaller between two times than at the nearer of
+  /// them [m], if the joints keep their velocity limits. period: the time between them [s]. Motion of parts
+  /// of the cell comes on top, by at most half of the way that a part moves in this time.
+  double most_unseen(double period) const;
+
   /// Returns the name of a pair, such as "forearm_link and table".
   std::string name(const ContactPair& pair) const;
 

@@ -1,17 +1,36 @@
 #include "sim/cell/clearance_watch.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace armtune::internal {
+
+ClearanceWatch::ClearanceWatch(std::shared_ptr<const ClearanceModel> model,
+                               const std::vector<double>& required)
+    : distances_(std::move(model)), by_pair_(distances_.size()) {
+  for (std::size_t k = 0; k < by_pair_.size(); ++k)
+    by_pair_[k].distance = required.empty() ? -std::numeric_limits<double>::infinity() : required.at(k);
+}
 
 void ClearanceWatch::see(double time, const JointVector& q) {
   distances_.move_to(time, q);
   const auto& pairs = distances_.model().pairs();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     LeastClearance& least = least_[static_cast<std::size_t>(pairs[k].of)];
-    if (distances_.at_least(k) >= least.distance) continue;
+    LeastClearance& of_pair = by_pair_[k];
+    if (distances_.at_least(k) >= std::max(least.distance, of_pair.distance)) continue;
     const double distance = distances_.compute(k).distance;
     // NaN replaces any distance, because a contact cannot be excluded.
     if (!(distance >= least.distance)) least = {distance, time, &pairs[k]};
+    if (!(distance >= of_pair.distance)) of_pair = {distance, time, &pairs[k]};
   }
+}
+
+std::vector<LeastClearance> ClearanceWatch::too_near() const {
+  std::vector<LeastClearance> found;
+  std::copy_if(by_pair_.begin(), by_pair_.end(), std::back_inserter(found),
+               [](const LeastClearance& of_pair) { return of_pair.pair != nullptr; });
+  return found;
 }
 
 void ClearanceNow::see(double time, const JointVector& q) {

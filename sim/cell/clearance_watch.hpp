@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "sim/cell/pair_distances.hpp"
 
@@ -27,18 +28,24 @@ inline const LeastClearance& least_of(Clearance kind, const LeastClearances& lea
 /// found if it exists at the time of one of these calls.
 class ClearanceWatch {
  public:
-  explicit ClearanceWatch(std::shared_ptr<const ClearanceModel> model) : distances_(std::move(model)) {}
+  explicit ClearanceWatch(std::shared_ptr<const ClearanceModel> model)
+      : ClearanceWatch(std::move(model), {}) {}
+  /// required: distance below which a pair is too near, for each pair of the model [m]; empty: no pair is.
+  ClearanceWatch(std::shared_ptr<const ClearanceModel> model, const std::vector<double>& required);
 
   /// Checks the arm at joint positions q (n) [rad, m], at `time` [s]. Allocates nothing.
   void see(double time, const JointVector& q);
 
   const LeastClearances& least() const { return least_; }
+  /// Returns the smallest distance of every pair that was too near, in the order of ClearanceModel::pairs.
+  std::vector<LeastClearance> too_near() const;
   /// Returns the number of distances that were computed.
   long computed() const { return distances_.computed(); }
 
  private:
   PairDistances distances_;
   LeastClearances least_;
+  std::vector<LeastClearance> by_pair_;  ///< the smallest distance below the required one; none: no `pair`
 };
 
 /// Finds the smallest distance of each kind at the time of the last call of see(). Recordings contain these

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 #include <variant>
 
@@ -69,6 +70,13 @@ std::vector<Change> changes_of(const std::vector<PlacedGain>& now, const std::ve
   return changes;
 }
 
+/// Returns true if the changed text reads back as the gains. The factors of a map round the last digit.
+bool is_read_back(const JointVector& back, const JointVector& gains, GainLayout layout) {
+  if (layout != GainLayout::kMapped) return back == gains;
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  return ((back - gains).array().abs() <= rounding * gains.array().abs()).all();
+}
+
 /// Throws InputError if the changed text does not read back as the gains.
 void refuse_what_is_lost(const std::string& changed, const RosController& controller, const std::string& file,
                          const Gains& gains, const std::vector<std::string>& joints) {
@@ -77,7 +85,7 @@ void refuse_what_is_lost(const std::string& changed, const RosController& contro
     const auto* own_gain = std::get_if<OwnGain>(&field.member);
     if (own_gain == nullptr) continue;
     const std::size_t place = own_gain->place;
-    if (back.own[place] == gains.own[place]) continue;
+    if (is_read_back(back.own[place], gains.own[place], controller.layout)) continue;
     Eigen::Index k = 0;
     (back.own[place] - gains.own[place]).cwiseAbs().maxCoeff(&k);
     const bool each = own_gain->shape == GainShape::kJoints;
@@ -111,15 +119,15 @@ std::string with_gains(const std::string& text, const RosController& controller,
     for (next = i; next < changes.size() && changes[next].at == change.at; ++next) {
       if (changes[next].text == change.text) continue;
       parameters.fail(change.at->line,
-                      fmt::format("{} and {} share a number through a YAML anchor, but must become {} and "
-                                  "{}; write a number for each of them",
-                                  change.gain, changes[next].gain, change.text, changes[next].text));
+                      fmt::format("{} and {} share one number through a YAML anchor, so they cannot become "
+                                  "different; write a number for each of them in place of the alias",
+                                  change.gain, changes[next].gain));
     }
     if (change.differs && uses.of(*change.at) != static_cast<double>(next - i)) {
       parameters.fail(change.at->line,
-                      fmt::format("{} must become {}, but an alias elsewhere in the file stands for the same "
-                                  "number; write a number in place of the alias",
-                                  change.gain, change.text));
+                      fmt::format("{} cannot change, because an alias elsewhere in the file stands for the "
+                                  "same number; write a number in place of the alias",
+                                  change.gain));
     }
     if (!change.differs) continue;
     if (controller.layout == GainLayout::kMapped && change.at->text.find_first_of(".eE") == std::string::npos)

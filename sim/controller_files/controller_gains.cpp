@@ -1,5 +1,6 @@
 #include "sim/controller_files/controller_gains.hpp"
 
+#include "core/control/laws/cartesian_impedance_law.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
@@ -13,6 +14,12 @@ namespace armtune::internal {
 std::vector<std::string> joint_motion_controllers() {
   return {kJointTrajectoryController, kJointTrajectoryVelocityController, kJointImpedance,
           kPositionStreaming};
+}
+
+std::vector<std::string> motion_controllers() {
+  std::vector<std::string> names = joint_motion_controllers();
+  names.emplace_back(kCartesianImpedance);
+  return names;
 }
 
 Gains joint_motion_gains(const std::string& kind, Eigen::Index n) {

@@ -24,10 +24,16 @@ namespace {
 
 using yaml::PlacedValue;
 
-constexpr std::size_t kDigits = 6;  // of an index
+constexpr std::size_t kDigits = 6;    // of an index
+constexpr double kSlowest = 10.0;     // Hz
+constexpr double kFastest = 10000.0;  // Hz
+constexpr double kLeastFactor = 1e-9;
+constexpr double kMostFactor = 1e9;
 
-[[noreturn]] void fail(const RosController& controller, const std::string& what) {
-  throw InputError(InputPlace{controller.map_file}, what);
+/// Throws InputError about the map. key: the place or the gain that is wrong. value, limit: see InputError.
+[[noreturn]] void fail(const RosController& controller, const std::string& key, const std::string& what,
+                       const std::string& value = {}, const std::string& limit = {}) {
+  throw InputError(InputPlace{controller.map_file, 0, key}, what).with_value(value, limit);
 }
 
 /// Returns the value of a list or a map whose index or key is the beginning of `path`, and removes this
@@ -43,10 +49,11 @@ const PlacedValue* next_value(const PlacedValue& from, std::string_view& path,
   for (const yaml::PlacedEntry& entry : from.entries) {
     if (!fits(entry.key)) continue;
     if (found != nullptr)
-      fail(controller,
+      fail(controller, std::string(path),
            fmt::format("two keys of the file, '{}' and '{}', fit the place '{}' of the map; a place must fit "
                        "one key alone, so rename one of them in the file",
-                       used, entry.key, path));
+                       used, entry.key, path),
+           fmt::format("{}, {}", used, entry.key), "one key");
     found = entry.value.get();
     used = entry.key;
   }
@@ -96,13 +103,17 @@ Target target_of(const Gains& gains, const std::string& gain, const std::vector<
     const std::string part = gain.substr(slash + 1);
     const auto found = std::find(parts.begin(), parts.end(), part);
     if (found == parts.end() || parts.size() == 1)
-      fail(controller, fmt::format("gain '{}': {} has no '{}'{}", gain, name, part,
-                                   parts.size() == 1 ? std::string() : suggestion(part, parts)));
+      fail(controller, gain,
+           fmt::format("gain '{}': {} has no '{}'{}", gain, name, part,
+                       parts.size() == 1 ? std::string() : suggestion(part, parts)),
+           part, parts.size() == 1 ? std::string() : fmt::format("one of: {}", fmt::join(parts, ", ")));
     return {&field, static_cast<std::size_t>(found - parts.begin()), 1};
   }
   const std::vector<std::string> names = own_names(gains);
-  fail(controller, fmt::format("controller '{}' has no such gain of its own: '{}'{}; it has: {}",
-                               gains.controller, gain, suggestion(name, names), fmt::join(names, ", ")));
+  fail(controller, gain,
+       fmt::format("controller '{}' has no such gain of its own: '{}'{}; it has: {}", gains.controller, gain,
+                   suggestion(name, names), fmt::join(names, ", ")),
+       gain, fmt::format("one of: {}", fmt::join(names, ", ")));
 }
 
 /// Calls `see` with every number of the file that the map names: its gain, place, name and index in the gain.
@@ -113,19 +124,32 @@ void for_each_number(const RosController& controller, const std::string& file, c
   for (const GainPlace& place : controller.places) {
     const Target target = target_of(gains, place.gain, joints, controller);
     const PlacedValue* value = value_at(controller, place.path);
-    if (value == nullptr) fail(controller, fmt::format("there is nothing at '{}' in {}", place.path, file));
+    if (value == nullptr)
+      fail(controller, place.path, fmt::format("there is nothing at '{}' in {}", place.path, file),
+           place.path);
     const bool is_list = value->kind == PlacedValue::Kind::kSequence;
     const std::size_t count = is_list ? value->items.size() : 1;
     if (count != target.count)
       reader.fail(
           value->line,
-          fmt::format("'{}' has {} number{}, but {} has {}; bind a list of them, or one number for each "
-                      "joint: '{}/JOINT'",
-                      place.path, count, count == 1 ? "" : "s", place.gain, target.count,
-                      target.field->name));
+          fmt::format("'{}' has {} number{}, but {} has {}; bind a list of them, or each number alone, such "
+                      "as '{}/{}'",
+                      place.path, count, count == 1 ? "" : "s", place.gain, target.count, target.field->name,
+                      component_names(*target.field, joints).front()),
+          fmt::to_string(count), fmt::to_string(target.count));
     for (std::size_t k = 0; k < count; ++k)
-      see(reader, is_list ? *value->items[k].value : *value, *target.field, target.first + k, place.path);
+      see(reader, is_list ? *value->items[k].value : *value, *target.field, target.first + k, place);
   }
+}
+
+/// Reads an entry of `map`.
+GainPlace place_of(const std::string& path, const yaml::Node& node) {
+  if (node.kind() != yaml::Node::Kind::kMap) return {path, node.as_string()};
+  yaml::MapReader map(node);
+  GainPlace place{path, map.required("gain").as_string(),
+                  map.number_in("factor", 1.0, kLeastFactor, kMostFactor)};
+  map.finish();
+  return place;
 }
 
 std::string name_of(const GainField& field, std::size_t k, const std::vector<std::string>& joints) {
@@ -156,7 +180,7 @@ GainMap gain_map(const std::string& text, const std::string& path) {
   controller.map_file = path;
   const yaml::Node& kind = map.required("controller");
   controller.kind = kind.as_string();
-  const std::vector<std::string> kinds = joint_motion_controllers();
+  const std::vector<std::string> kinds = motion_controllers();
   if (std::find(kinds.begin(), kinds.end(), controller.kind) == kinds.end())
     kind.fail(fmt::format("'{}' is not a controller that a map can name{}; these are: {}", controller.kind,
                           suggestion(controller.kind, kinds), fmt::join(kinds, ", ")));
@@ -168,7 +192,8 @@ GainMap gain_map(const std::string& text, const std::string& path) {
   const yaml::Node& places = map.required("map");
   if (places.kind() != yaml::Node::Kind::kMap || places.entries().empty())
     places.fail("expected at least one line 'PLACE: GAIN'");
-  for (const auto& [place, gain] : places.entries()) controller.places.push_back({place, gain.as_string()});
+  for (const auto& [place, gain] : places.entries()) controller.places.push_back(place_of(place, gain));
+  if (map.has("rate")) controller.rate = map.number_in("rate", kSlowest, kSlowest, kFastest);
   const Gains gains = joint_motion_gains(controller.kind, 1);
   for (const std::string& name : own_names(gains)) {
     const yaml::Node* value = map.optional(name);
@@ -187,19 +212,23 @@ Gains mapped_gains(const RosController& controller, const std::string& file,
   for (const auto& [name, values] : controller.others) {
     JointVector& own_values = own(gains, name);
     if (values.size() != 1 && values.size() != static_cast<std::size_t>(own_values.size()))
-      fail(controller, fmt::format("{} has {} numbers here, but the gain has {}", name, values.size(),
-                                   own_values.size()));
+      fail(controller, name,
+           fmt::format("{} has {} numbers here, but the gain has {}", name, values.size(), own_values.size()),
+           fmt::to_string(values.size()), fmt::format("1 or {}", own_values.size()));
     for (Eigen::Index k = 0; k < own_values.size(); ++k)
       own_values[k] = values.size() == 1 ? values[0] : values[static_cast<std::size_t>(k)];
   }
   std::set<std::pair<std::string, std::size_t>> given;
   for_each_number(controller, file, gains, joints,
                   [&](const ParameterReader& reader, const PlacedValue& value, const GainField& field,
-                      std::size_t k, const std::string& place) {
+                      std::size_t k, const GainPlace& place) {
                     if (!given.emplace(field.name, k).second)
-                      reader.fail(value.line, fmt::format("the map gives {} twice, the second time at '{}'",
-                                                          name_of(field, k, joints), place));
-                    numbers(gains, field)[k] = reader.finite(value, fmt::format("'{}'", place));
+                      reader.fail(value.line,
+                                  fmt::format("the map gives {} twice, the second time at '{}'",
+                                              name_of(field, k, joints), place.path),
+                                  place.path, "one place for each number");
+                    numbers(gains, field)[k] =
+                        place.factor * reader.finite(value, fmt::format("'{}'", place.path));
                   });
   for (const GainField& field : fields_of(gains)) {
     if (!std::holds_alternative<OwnGain>(field.member)) continue;
@@ -211,13 +240,15 @@ Gains mapped_gains(const RosController& controller, const std::string& file,
       if (!given.contains({field.name, k})) without.push_back(name_of(field, k, joints));
     }
     if (has_value && without.empty())
-      fail(controller, fmt::format("{} is bound to the file and has a value here as well; remove one of both",
-                                   field.name));
+      fail(controller, field.name,
+           fmt::format("{} is bound to the file and has a value here as well; remove one of both",
+                       field.name));
     if (!has_value && !without.empty() &&
         (field.search != SearchRange::kNone || without.size() < numbers(gains, field).size()))
-      fail(controller,
+      fail(controller, field.name,
            fmt::format("no value of {}; bind it to a number of the file, or give '{}: VALUE' here",
-                       fmt::join(without, ", "), field.name));
+                       fmt::join(without, ", "), field.name),
+           "", fmt::format("{}", fmt::join(without, ", ")));
   }
   return gains;
 }
@@ -225,11 +256,12 @@ Gains mapped_gains(const RosController& controller, const std::string& file,
 std::vector<PlacedGain> placed_mapped_gains(const RosController& controller, const std::string& file,
                                             const Gains& gains, const std::vector<std::string>& joints) {
   std::vector<PlacedGain> placed;
-  for_each_number(controller, file, gains, joints,
-                  [&](const ParameterReader&, const PlacedValue& value, const GainField& field, std::size_t k,
-                      const std::string&) {
-                    placed.push_back({&value, name_of(field, k, joints), numbers(gains, field)[k]});
-                  });
+  for_each_number(
+      controller, file, gains, joints,
+      [&](const ParameterReader&, const PlacedValue& value, const GainField& field, std::size_t k,
+          const GainPlace& place) {
+        placed.push_back({&value, name_of(field, k, joints), numbers(gains, field)[k] / place.factor});
+      });
   return placed;
 }
 

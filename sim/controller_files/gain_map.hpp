@@ -22,10 +22,12 @@ struct GainMap {
 bool is_gain_map(const std::string& text, const std::string& path);
 
 /// Reads a map. Its keys are:
-///   - controller: one of joint_motion_controllers();
+///   - controller: one of motion_controllers();
 ///   - file: the file with the numbers; a relative path begins in the folder of the map;
-///   - map: {PLACE: GAIN, ...}, see GainPlace; a place has a list of n numbers for a gain of n joints, or one
-///     number;
+///   - map: {PLACE: GAIN, ...} or {PLACE: {gain: GAIN, factor: NUMBER}, ...}, see GainPlace; a place has a
+///   list
+///     of n numbers for a gain of n joints, of six for a gain of the task, or one number;
+///   - rate: control rate [Hz] (default: unknown);
 ///   - ros1: true if ROS 1 reads the file; changed numbers are then written so that it can (default: false).
 /// Further keys are gains that the file does not have, with their numbers. Throws InputError "FILE:LINE:
 /// what".

@@ -19,6 +19,8 @@ using yaml::PlacedValue;
 constexpr double kFilter = 0.01;        // share of the last filtered velocity in the next, for all types
 constexpr double kTorqueRate = 1000.0;  // N m/s: 1 N m in each period of 1 ms
 constexpr const char* kCoriolisFactor = "coriolis_factor";
+constexpr const char* kExample = "JointImpedanceExampleController";
+constexpr const char* kWithIk = "JointImpedanceWithIKExampleController";
 
 /// The keys of the two lists, with armtune's names of the gains in them.
 constexpr std::pair<const char*, const char*> kLists[] = {{"k_gains", "joint_impedance_k"},
@@ -31,16 +33,19 @@ struct Options {
   double torque_rate = 0.0;
 };
 
+std::string class_of(const RosController& controller) {
+  return controller.type.substr(controller.type.find_last_of('/') + 1);
+}
+
 /// Returns the options of the controller's type. Throws InputError for an unknown type.
 Options options_of(const ParameterReader& reader) {
   const RosController& controller = reader.controller();
-  const std::string name = controller.type.substr(controller.type.find_last_of('/') + 1);
-  if (!controller.ros2 && name == "JointImpedanceExampleController") {
+  if (is_known_joint_impedance(controller)) {
+    if (class_of(controller) == kWithIk) return {0.0, 1.0, 0.0};
+    if (controller.ros2) return {};
     const PlacedValue* factor = controller.parameters->find(kCoriolisFactor);
     return {1.0, factor == nullptr ? 1.0 : reader.finite(*factor, kCoriolisFactor), kTorqueRate};
   }
-  if (controller.ros2 && name == "JointImpedanceExampleController") return {};
-  if (controller.ros2 && name == "JointImpedanceWithIKExampleController") return {0.0, 1.0, 0.0};
   const std::string what =
       controller.type.empty()
           ? "the file does not give the type of this controller"
@@ -48,7 +53,8 @@ Options options_of(const ParameterReader& reader) {
   reader.fail(controller.parameters->line,
               what +
                   "; the types that armtune simulates are franka_example_controllers/"
-                  "JointImpedanceExampleController and, in ROS 2, JointImpedanceWithIKExampleController");
+                  "JointImpedanceExampleController and, in ROS 2, JointImpedanceWithIKExampleController",
+              controller.type, "JointImpedanceExampleController or JointImpedanceWithIKExampleController");
 }
 
 /// Throws InputError if the file has joint names that are not the arm's, in its order. Lists without names
@@ -61,11 +67,18 @@ void require_joints(const ParameterReader& reader, const std::vector<std::string
   const bool open = std::any_of(found.begin(), found.end(),
                                 [](const std::string& name) { return name.find("$(") != std::string::npos; });
   if (!open && found != joints)
-    reader.fail(names->line, fmt::format("joint_names are {}, but the arm's joints are {}, in this order",
-                                         fmt::join(found, ", "), fmt::join(joints, ", ")));
+    reader.fail(names->line,
+                fmt::format("joint_names are {}, but the arm's joints are {}, in this order",
+                            fmt::join(found, ", "), fmt::join(joints, ", ")),
+                fmt::format("{}", fmt::join(found, ", ")), fmt::format("{}", fmt::join(joints, ", ")));
 }
 
 }  // namespace
+
+bool is_known_joint_impedance(const RosController& controller) {
+  const std::string name = class_of(controller);
+  return name == kExample || (controller.ros2 && name == kWithIk);
+}
 
 Gains joint_impedance_gains(const RosController& controller, const std::string& file,
                             const std::vector<std::string>& joints) {
@@ -80,8 +93,10 @@ Gains joint_impedance_gains(const RosController& controller, const std::string& 
   for (const auto& [key, gain] : kLists) {
     const PlacedValue& list = *controller.parameters->find(key);
     if (list.items.size() != joints.size())
-      reader.fail(list.line, fmt::format("{} has {} numbers, but the arm has {} joints", key,
-                                         list.items.size(), joints.size()));
+      reader.fail(
+          list.line,
+          fmt::format("{} has {} numbers, but the arm has {} joints", key, list.items.size(), joints.size()),
+          fmt::to_string(list.items.size()), fmt::to_string(joints.size()));
     for (std::size_t k = 0; k < joints.size(); ++k)
       own(gains, gain)[static_cast<Eigen::Index>(k)] =
           reader.finite(*list.items[k].value, fmt::format("{}[{}]", key, k));

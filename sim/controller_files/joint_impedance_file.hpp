@@ -11,6 +11,9 @@
 
 namespace armtune::internal {
 
+/// Returns true if the controller's type is one of those listed below.
+bool is_known_joint_impedance(const RosController& controller);
+
 /// Returns the gains for an arm with these joints, in their order. The controller's type determines the
 /// rest of the control law (franka_ros c11f000, franka_ros2 40cf08b):
 ///   - JointImpedanceExampleController in ROS 1: damps the velocity error, adds coriolis_factor times the

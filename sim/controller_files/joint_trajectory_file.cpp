@@ -17,6 +17,7 @@
 #include "core/common/nearest.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
+#include "sim/controller_files/commanded_interfaces.hpp"
 #include "sim/controller_files/joint_parameters.hpp"
 
 namespace armtune::internal {
@@ -48,59 +49,46 @@ class Reader : public JointParameters {
     for (const auto& [key, own, alias] : gains->entries) {
       const std::string joint = without_prefix(key);
       if (std::find(joints.begin(), joints.end(), joint) == joints.end())
-        fail(own->line, fmt::format("the arm has no joint '{}'{}; it has: {}", joint,
-                                    suggestion(joint, joints), fmt::join(joints, ", ")));
+        fail(own->line,
+             fmt::format("the arm has no joint '{}'{}; it has: {}", joint, suggestion(joint, joints),
+                         fmt::join(joints, ", ")),
+             joint, fmt::format("one of: {}", fmt::join(joints, ", ")));
       if (std::erase(missing, joint) == 0)
         fail(own->line,
              fmt::format("'{}' is the second entry for {}, as a launch file's prefix does not count; "
                          "give a file for one arm",
-                         key, joint));
+                         key, joint),
+             key);
     }
     if (!missing.empty())
       fail(gains->line,
-           fmt::format("the file has no gains for {} of the arm; add them", fmt::join(missing, ", ")));
+           fmt::format("the file has no gains for {} of the arm; add them", fmt::join(missing, ", ")), "",
+           fmt::format("{}", fmt::join(missing, ", ")));
   }
 
   /// Returns the kind of controller, which its commands determine. Throws InputError for commands that
   /// armtune cannot simulate.
   const char* kind() const {
-    std::vector<std::string> commands;
-    if (controller().ros2) {
-      const PlacedValue* given = controller().parameters->find("command_interfaces");
-      if (given == nullptr || given->kind != PlacedValue::Kind::kSequence)
-        fail(controller().parameters->line,
-             "the list command_interfaces is missing; give [effort] or [velocity], which armtune simulates");
-      for (const yaml::PlacedEntry& item : given->items) commands.push_back(item.value->text);
-    } else if (controller().type.find('/') != std::string::npos) {
-      commands.push_back(controller().type.starts_with("effort_")     ? "effort"
-                         : controller().type.starts_with("velocity_") ? "velocity"
-                                                                      : controller().type);
-    }
-    if (commands.empty() || commands == std::vector<std::string>{"effort"}) {
-      refuse_jumps();
-      return kJointTrajectoryController;
-    }
-    if (commands != std::vector<std::string>{"velocity"})
+    const std::vector<std::string> commands = commanded_interfaces(controller());
+    const PlacedValue* list = controller().parameters->find("command_interfaces");
+    if (controller().ros2 && (list == nullptr || list->kind != PlacedValue::Kind::kSequence))
+      fail(controller().parameters->line,
+           "the list command_interfaces is missing; give [effort] or [velocity], which armtune simulates", "",
+           "[effort] or [velocity]");
+    if (commands.empty() || commands == std::vector<std::string>{"effort"}) return kJointTrajectoryController;
+    if (!are_simulated(commands, controller().ros2))
       fail(controller().parameters->line,
            fmt::format(
                "the controller commands {}; armtune simulates either effort commands or velocity "
                "commands with such a file; for streamed positions, use --controller position_streaming "
                "instead of this file",
-               fmt::join(commands, ", ")));
-    refuse_jumps();
+               fmt::join(commands, ", ")),
+           fmt::format("{}", fmt::join(commands, ", ")), "effort or velocity");
     const PlacedValue* open_loop = controller().parameters->find("open_loop_control");
     if (open_loop != nullptr && (open_loop->text == "true" || open_loop->text == "True"))
-      fail(open_loop->line, "with open_loop_control the gains have no effect; set it to false to tune them");
+      fail(open_loop->line, "with open_loop_control the gains have no effect; set it to false to tune them",
+           open_loop->text, "false");
     return kJointTrajectoryVelocityController;
-  }
-
-  void refuse_jumps() const {
-    const PlacedValue* method = controller().parameters->find("interpolation_method");
-    if (method != nullptr && method->text == "none")
-      fail(
-          method->line,
-          "with interpolation_method 'none' the desired position jumps from point to point, which armtune does "
-          "not simulate; set it to 'splines', or remove it");
   }
 
   /// Returns the sizes of the bounds of the integral's contribution, for the largest and for the smallest
@@ -115,13 +103,16 @@ class Reader : public JointParameters {
     const double lower = std::isfinite(least) ? least : -both;
     const int line = controller().parameters->find("gains")->line;
     if (controller().ros2 && (upper < 0.0 || lower > 0.0))
-      fail(line, fmt::format("the integral of {} is clamped to [{}, {}]; this range must contain 0", joint,
-                             lower, upper));
+      fail(line,
+           fmt::format("the integral of {} is clamped to [{}, {}]; this range must contain 0", joint, lower,
+                       upper),
+           fmt::format("[{}, {}]", lower, upper), "a range that contains 0");
     if (lower == 0.0 && upper != 0.0) {
       fail(line,
            fmt::format("the integral of {} is clamped to [{}, {}]; armtune cannot simulate a lower bound "
                        "of 0 below an upper one above 0; give i_clamp_min below 0",
-                       joint, lower, upper));
+                       joint, lower, upper),
+           fmt::format("[{}, {}]", lower, upper), "i_clamp_min below 0");
     }
     return {std::min(std::abs(upper), kNoClamp), std::min(std::abs(lower), kNoClamp)};
   }
@@ -136,13 +127,15 @@ class Reader : public JointParameters {
       fail(line,
            fmt::format("{} has an i but no i_clamp, so {} clamps the integral to 0 and i has no effect; "
                        "give i_clamp, where .inf means no clamp",
-                       joint, rules_.title));
+                       joint, rules_.title),
+           "", "i_clamp");
     // A file with a strategy is for ROS 2 Jazzy or later.
     if (!controller().distro && !has("antiwindup_strategy"))
       fail(line,
            fmt::format("{} has an i but no i_clamp; ROS 2 Humble then clamps the integral to 0, and Jazzy "
                        "does not clamp it. Give i_clamp, where .inf means no clamp, or --distro jazzy",
-                       joint));
+                       joint),
+           "", "i_clamp or --distro");
   }
 
   bool is_true(const std::string& joint, const char* key) const {
@@ -158,7 +151,8 @@ class Reader : public JointParameters {
       fail(of_joint(joint, "angle_wraparound")->line,
            fmt::format("{} does not have the angle_wraparound of {}; set it to false (a joint without limits "
                        "takes the short way round in any case), or give --distro humble",
-                       rules_.title, joint));
+                       rules_.title, joint),
+           "true", "false");
     return false;
   }
 
@@ -171,7 +165,8 @@ class Reader : public JointParameters {
     if (upper < 0.0 || lower > 0.0)
       fail(controller().parameters->find("gains")->line,
            fmt::format("the output of {} is clamped to [{}, {}]; this range must contain 0", joint, lower,
-                       upper));
+                       upper),
+           fmt::format("[{}, {}]", lower, upper), "a range that contains 0");
     return {std::min(upper, kNoClamp), std::min(-lower, kNoClamp)};
   }
 
@@ -181,7 +176,8 @@ class Reader : public JointParameters {
     if (value == nullptr || !rules_.has_strategies) return 0.0;
     const double given = finite(*value, fmt::format("gains/{}/{}", joint, key));
     if (given < 0.0)
-      fail(value->line, fmt::format("{} of {} is {}; it may not be negative", key, joint, given));
+      fail(value->line, fmt::format("{} of {} is {}; it may not be negative", key, joint, given), value->text,
+           "0 or more");
     return given;
   }
 
@@ -191,8 +187,10 @@ class Reader : public JointParameters {
     if (strategy != nullptr && rules_.has_strategies) {
       const auto* const found = std::find(kStrategies.begin(), kStrategies.end(), strategy->text);
       if (found == kStrategies.end())
-        fail(strategy->line, fmt::format("antiwindup_strategy of {} is {}; expected one of {}", joint,
-                                         shown(strategy->text), fmt::join(kStrategies, ", ")));
+        fail(strategy->line,
+             fmt::format("antiwindup_strategy of {} is {}; expected one of {}", joint, shown(strategy->text),
+                         fmt::join(kStrategies, ", ")),
+             strategy->text, fmt::format("one of: {}", fmt::join(kStrategies, ", ")));
       return 1.0 + static_cast<double>(found - kStrategies.begin());
     }
     if (controller().ros2) return rules_.has_strategies ? 1.0 : 0.0;
@@ -200,7 +198,8 @@ class Reader : public JointParameters {
     if (given == nullptr || given->text == "false" || given->text == "False") return 0.0;
     if (given->text == "true" || given->text == "True") return 1.0;
     fail(given->line,
-         fmt::format("antiwindup of {} is {}; expected true or false", joint, shown(given->text)));
+         fmt::format("antiwindup of {} is {}; expected true or false", joint, shown(given->text)),
+         given->text, "true or false");
   }
 
  private:
@@ -211,6 +210,13 @@ class Reader : public JointParameters {
 
 RosDistro distro_of(const RosController& controller) {
   return controller.distro.value_or(controller.ros2 ? RosDistro::kJazzy : RosDistro::kNoetic);
+}
+
+bool jumps_between_points(const RosController& controller) {
+  if (controller.layout != GainLayout::kPidByJoint || !controller.ros2 || !controller.parameters)
+    return false;
+  const PlacedValue* method = controller.parameters->find("interpolation_method");
+  return method != nullptr && method->text == "none";
 }
 
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,

@@ -15,6 +15,11 @@ namespace armtune::internal {
 /// ROS 2 and Noetic for ROS 1.
 RosDistro distro_of(const RosController& controller);
 
+/// Returns true if the controller does not interpolate between the points of a trajectory
+/// (`interpolation_method: none`, a parameter of ROS 2 alone). From the time of each point on, it tracks the
+/// next one. Source: Trajectory::sample in ros2_controllers, at the commits of ros_distro.hpp.
+bool jumps_between_points(const RosController& controller);
+
 /// Returns the gains for an arm with these joints, in their order. Parameters that are neither gains nor in
 /// the following list are ignored. Throws InputError "FILE:LINE: what" if:
 ///   - the file lacks a joint of the arm or has a joint that the arm lacks, or a value is not a number,

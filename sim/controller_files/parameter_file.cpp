@@ -13,7 +13,8 @@
 namespace armtune::internal {
 
 std::optional<ParameterFile> read_parameter_file(const std::string& path, const std::string& node,
-                                                 std::optional<RosDistro> distro) {
+                                                 std::optional<RosDistro> distro,
+                                                 const std::vector<std::string>& joints) {
   std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
   if (is_gain_map(text, path)) {
     if (!node.empty())
@@ -29,14 +30,15 @@ std::optional<ParameterFile> read_parameter_file(const std::string& path, const 
   if (!may_hold_controllers(text)) return std::nullopt;
   const auto all = ros_controllers(text, path);
   if (all.empty()) return std::nullopt;
-  RosController controller = chosen_controller(all, path, node);
+  RosController controller = chosen_controller(all, path, node, joints);
   ParameterFile file{path, std::move(text), std::move(controller)};
   if (distro) set_distro(file, *distro);
   return file;
 }
 
-ParameterFile parameter_file_for(const Gains& gains, const std::string& path, const std::string& node) {
-  auto file = read_parameter_file(path, node);
+ParameterFile parameter_file_for(const Gains& gains, const std::string& path, const std::string& node,
+                                 const std::vector<std::string>& joints) {
+  auto file = read_parameter_file(path, node, {}, joints);
   if (!file) chosen_controller({}, path, node);  // throws
   if (is_joint_trajectory_controller(gains.controller) && file->controller.layout == GainLayout::kPidByJoint)
     set_distro(*file, jtc_distro(gains));
@@ -59,10 +61,12 @@ void set_distro(ParameterFile& file, RosDistro distro) {
   controller.distro = distro;
 }
 
-std::vector<std::string> files_of_gains(const std::string& path, const std::string& node) {
+std::vector<std::string> files_of_gains(const std::string& path) {
   std::vector<std::string> files = {path};
-  const auto numbers = read_parameter_file(path, node);
-  if (numbers && numbers->path != path) files.push_back(numbers->path);
+  const std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
+  if (!is_gain_map(text, path)) return files;
+  std::string numbers = gain_map(text, path).file;
+  if (numbers != path) files.push_back(std::move(numbers));
   return files;
 }
 

@@ -18,24 +18,26 @@ struct ParameterFile {
 };
 
 /// Reads the file at `path`, or the file that it binds gains to if it is a map. node: name of the controller
-/// in a ROS parameter file; empty: the only one. distro: see set_distro. Returns nothing if it is neither a
-/// map nor a ROS parameter file with controllers. Throws InputError if a file cannot be read, or has no such
-/// controller, or if the distribution does not fit it.
+/// in a ROS parameter file; empty: the only one for an arm with these joints (chosen_controller). distro: see
+/// set_distro. Returns nothing if it is neither a map nor a ROS parameter file with controllers. Throws
+/// InputError if a file cannot be read, or has no such controller, or if the distribution does not fit it.
 std::optional<ParameterFile> read_parameter_file(const std::string& path, const std::string& node = {},
-                                                 std::optional<RosDistro> distro = {});
+                                                 std::optional<RosDistro> distro = {},
+                                                 const std::vector<std::string>& joints = {});
 
-/// Reads a file into which these gains are to be written. Its joint trajectory controller follows the
-/// distribution of ROS that the gains follow. Throws InputError as read_parameter_file does, and if it would
-/// return nothing.
-ParameterFile parameter_file_for(const Gains& gains, const std::string& path, const std::string& node);
+/// Reads a file into which these gains are to be written, for an arm with these joints. Its joint trajectory
+/// controller follows the distribution of ROS that the gains follow. Throws InputError as read_parameter_file
+/// does, and if it would return nothing.
+ParameterFile parameter_file_for(const Gains& gains, const std::string& path, const std::string& node,
+                                 const std::vector<std::string>& joints);
 
 /// Sets the distribution of ROS whose rules the controller follows. Throws InputError if it is not a joint
 /// trajectory controller with parameters of that version of ROS.
 void set_distro(ParameterFile& file, RosDistro distro);
 
 /// Returns the files that gains are read from: `path`, and the file that it binds gains to if it is a map.
-/// Throws InputError as read_parameter_file does.
-std::vector<std::string> files_of_gains(const std::string& path, const std::string& node = {});
+/// Throws InputError if `path` cannot be read, or is a map with an error.
+std::vector<std::string> files_of_gains(const std::string& path);
 
 /// Returns true if the file is a map, or a ROS parameter file with controllers. Throws InputError if it
 /// cannot be read.

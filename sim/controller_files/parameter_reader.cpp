@@ -25,8 +25,10 @@ bool is_same_to_all(std::string_view digits, bool ros2) {
 
 }  // namespace
 
-void ParameterReader::fail(int line, const std::string& what) const {
-  throw InputError(at_line(file_, line, controller_.name), fmt::format("{}: {}", controller_.name, what));
+void ParameterReader::fail(int line, const std::string& what, const std::string& value,
+                           const std::string& limit) const {
+  throw InputError(at_line(file_, line, controller_.name), fmt::format("{}: {}", controller_.name, what))
+      .with_value(value, limit);
 }
 
 InputError ParameterReader::error(const yaml::PlacedValue& value, const std::string& problem,

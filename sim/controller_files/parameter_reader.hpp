@@ -16,8 +16,10 @@ class ParameterReader {
 
   const RosController& controller() const { return controller_; }
 
-  /// Throws InputError "FILE:LINE: CONTROLLER: what".
-  [[noreturn]] void fail(int line, const std::string& what) const;
+  /// Throws InputError "FILE:LINE: CONTROLLER: what". Its key is the name of the controller. value, limit:
+  /// see InputError.
+  [[noreturn]] void fail(int line, const std::string& what, const std::string& value = {},
+                         const std::string& limit = {}) const;
 
   /// Returns the number, which may be infinite (.inf). what: name of the parameter, for messages. Throws
   /// InputError if the value is not a plain number that all YAML readers read alike.

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
-#include "core/common/nearest.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -56,6 +54,25 @@ std::string scalar_at(const PlacedValue& map, const char* key) {
   return value != nullptr && value->kind == PlacedValue::Kind::kScalar ? value->text : std::string();
 }
 
+/// Adds to each controller the names of the others of its file. types: names and types, as the controller
+/// manager lists them.
+void add_neighbours(std::vector<RosController>& all,
+                    const std::vector<std::pair<std::string, std::string>>& types) {
+  std::vector<std::string> names;
+  for (const RosController& controller : all) names.push_back(controller.name);
+  for (const auto& [name, type] : types) {
+    if (type.find('/') == std::string::npos) continue;  // not the class of a plugin
+    const bool known = std::any_of(names.begin(), names.end(), [&name = name](const std::string& other) {
+      return other.substr(other.find_last_of('/') + 1) == name;
+    });
+    if (!known) names.push_back(one_line(name));
+  }
+  for (RosController& controller : all) {
+    controller.neighbours = names;
+    std::erase(controller.neighbours, controller.name);
+  }
+}
+
 /// Returns true if the text has a key of this name outside of comments.
 bool has_key(std::string_view text, std::string_view key) {
   constexpr std::string_view kQuotes = "'\"";
@@ -71,17 +88,6 @@ bool has_key(std::string_view text, std::string_view key) {
     if (begins && !commented && after < text.size() && text[after] == ':') return true;
   }
   return false;
-}
-
-bool is_trajectory(const RosController& controller) {
-  if (controller.layout != GainLayout::kPidByJoint) return false;
-  if (!controller.type.empty()) return controller.type.ends_with("JointTrajectoryController");
-  return controller.parameters->find("joints") != nullptr ||
-         controller.parameters->find("command_interfaces") != nullptr;
-}
-
-bool is_impedance(const RosController& controller) {
-  return controller.layout == GainLayout::kImpedance;
 }
 
 }  // namespace
@@ -121,40 +127,8 @@ std::vector<RosController> ros_controllers(const std::string& text, const std::s
       if (controller.type.empty() && name == last) controller.type = type;
     }
   }
+  add_neighbours(found, types);
   return found;
-}
-
-RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,
-                                const std::string& name) {
-  std::vector<std::string> names;
-  names.reserve(all.size());
-  for (const RosController& controller : all) names.push_back(controller.name);
-  const auto those = [&all](const std::function<bool(const RosController&)>& fits) {
-    std::vector<const RosController*> able;
-    for (const RosController& controller : all) {
-      if (fits(controller)) able.push_back(&controller);
-    }
-    return able;
-  };
-  const std::string there =
-      names.empty() ? "the file has none" : fmt::format("the file has: {}", fmt::join(names, ", "));
-  if (!name.empty()) {
-    const auto able = those([&name](const RosController& controller) { return controller.name == name; });
-    if (able.size() == 1) return *able.front();
-    throw InputError(InputPlace{file}, fmt::format("no controller '{}' with gains{}; {}", name,
-                                                   suggestion(name, names), there));
-  }
-  const char* what = "joint trajectory controllers";
-  auto able = those(is_trajectory);
-  if (able.empty() && !those(is_impedance).empty()) {
-    able = those(is_impedance);
-    what = "joint impedance controllers";
-  }
-  if (able.size() == 1) return *able.front();
-  throw InputError(
-      InputPlace{file},
-      fmt::format("found {} {} with gains; {}{}", able.empty() ? "no" : fmt::to_string(able.size()), what,
-                  there, able.empty() ? "" : "; name one of them: --node NAME, or in a study 'node: NAME'"));
 }
 
 }  // namespace armtune::internal

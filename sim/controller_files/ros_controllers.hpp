@@ -23,8 +23,9 @@ enum class GainLayout {
 
 /// A place in a file that the user binds to a gain.
 struct GainPlace {
-  std::string path;  ///< keys from the outermost one, joined by '/'; items of lists count from 0
-  std::string gain;  ///< "joint_impedance_k" for a list, "joint_impedance_k/elbow" for one number
+  std::string path;     ///< keys from the outermost one, joined by '/'; items of lists count from 0
+  std::string gain;     ///< "joint_impedance_k" for a list, "joint_impedance_k/elbow" for one number
+  double factor = 1.0;  ///< the gain is this factor times the number in the file
 };
 
 /// A controller with gains for each joint.
@@ -36,10 +37,13 @@ struct RosController {
   GainLayout layout = GainLayout::kPidByJoint;
   yaml::Placed parameters;  ///< the map that contains the gains
   yaml::Placed all;         ///< the whole file
+  /// Names of the file's other controllers, broadcasters included, whether they have gains or not.
+  std::vector<std::string> neighbours = {};
   // The rest is for kMapped only.
   std::string map_file = {};           ///< file of the map
   std::string kind = {};               ///< armtune's controller
   std::vector<GainPlace> places = {};  ///< of the gains
+  double rate = 0.0;                   ///< control rate that the map gives [Hz]; 0: none
   std::vector<std::pair<std::string, std::vector<double>>> others =
       {};  ///< gains that the file does not have
 };
@@ -55,9 +59,11 @@ bool may_hold_map(std::string_view text);
 std::vector<RosController> ros_controllers(const std::string& text, const std::string& file);
 
 /// Returns the controller of that name. Without a name, returns the only joint trajectory controller of the
-/// file; if it has none, the only joint impedance controller. Throws InputError if no controller or more than
-/// one fits. The message lists the file's controllers.
+/// file that can be tuned; if it has none, the only joint impedance controller that can be tuned. These are
+/// the controllers that armtune simulates. If `joints`, the names of the arm's joints, is not empty, they
+/// must also have gains for these joints. Throws InputError if no controller or more than one fits. The
+/// message lists the controllers.
 RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,
-                                const std::string& name = {});
+                                const std::string& name = {}, const std::vector<std::string>& joints = {});
 
 }  // namespace armtune::internal

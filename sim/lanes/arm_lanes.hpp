@@ -7,9 +7,9 @@
 // lanes at once. The results of a lane are bit-identical to those of core's functions for that arm alone.
 //
 // The caller calls start() once for an arm. In every control period it calls these functions in this order:
-// sense, measure, seen, follow_task or follow_joints, resolve, torque, adapt, observe, observed, push, step,
-// moved. The arguments are structs of pointers, because code that is compiled for one kind of processor must
-// not share an inline function with other code (scripts/check-lanes).
+// sense, measure, seen, follow_task or follow_joints, follow_plan if there is a plan, resolve, torque, adapt,
+// observe, observed, push, step, moved. The arguments are structs of pointers, because code that is compiled
+// for one kind of processor must not share an inline function with other code (scripts/check-lanes).
 
 #include <memory>
 
@@ -65,6 +65,14 @@ struct LaneReference {
   const double* acceleration;
 };
 
+/// The planned joint motion (n each) of this period: the members of PlannedJoints
+/// (core/control/laws/planned_joints.hpp).
+struct LanePlan {
+  const double* position;
+  const double* velocity;
+  const double* fed_velocity;
+};
+
 /// The task's references (6 each), and further inputs of a law.
 struct LaneTask {
   LaneReference reference;
@@ -101,6 +109,9 @@ class ArmLanes {
   virtual void follow_task(int lane, const LaneTask& task, const double* Kd) = 0;
   /// Sets the joint reference of this lane directly. Kd: n.
   virtual void follow_joints(int lane, const LaneReference& joints, const double* Kd) = 0;
+  /// Gives the law of this lane the planned joint motion of this period, from which the reference of
+  /// follow_joints() was computed. Lanes without this call have no plan in this period.
+  virtual void follow_plan(int lane, const LanePlan& plan) = 0;
   /// Computes the joint references of the lanes for which follow_task() was called since the last measure().
   virtual void resolve() = 0;
   /// Writes the joint reference (n each) to these addresses. replace_reference() sets another one.

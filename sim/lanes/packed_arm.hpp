@@ -24,7 +24,8 @@ class PackedArm final : public ArmLanes {
         steps_(kind.plant_steps),
         stepper_(kind.stepper),
         mask_(kind.mask),
-        law_(make_arm_law<T>(kind.law, kind.n)) {
+        law_(make_arm_law<T>(kind.law, kind.n)),
+        planned_(kind.n) {
     for (ChainT<T>* chain : {&chain_, &plant_}) {
       chain->n = kind.n;
       chain->motion = kind.motion;
@@ -77,6 +78,7 @@ class PackedArm final : public ArmLanes {
     obstacle_distance_ = obstacle_distance<T>(chain_, arm_.poses, {obstacles_.get(), obstacle_count_});
     tasks_ = typename T::Mask{};
     yields_ = typename T::Mask{};
+    planned_.active = typename T::Mask{};
   }
   void seen(int lane, const LaneSeen& seen) const override {
     get_tool(lane, arm_.poses, arm_.twist, seen.tool);
@@ -96,6 +98,12 @@ class PackedArm final : public ArmLanes {
   void follow_joints(int lane, const LaneReference& joints, const double* Kd) override {
     replace_reference(lane, joints);
     put(lane, Kd, Kd_);
+  }
+  void follow_plan(int lane, const LanePlan& plan) override {
+    put(lane, plan.position, planned_.position);
+    put(lane, plan.velocity, planned_.velocity);
+    put(lane, plan.fed_velocity, planned_.fed_velocity);
+    planned_.active[lane] = -1;
   }
   void resolve() override {
     if (!any(tasks_)) return;
@@ -182,7 +190,7 @@ class PackedArm final : public ArmLanes {
   using Joints = JointVectorT<T>;
   LawPeriodT<T> period() const {
     return {chain_, arm_,        measured_q_, measured_qd_, reference_, S_,
-            Kd_,    pose_error_, ~tasks_,     yields_,      T(period_)};
+            Kd_,    pose_error_, planned_,    ~tasks_,      yields_,    T(period_)};
   }
   static constexpr double kNowhere[4] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, 0.0};
 
@@ -222,6 +230,7 @@ class PackedArm final : public ArmLanes {
   JointReferenceT<T> reference_, resolved_;
   Joints Kd_, commanded_;
   std::unique_ptr<ArmLawT<T>> law_;
+  PlannedJointsT<T> planned_;
   Joints S_;
   Vec6T<T> pose_error_ = Vec6T<T>::Zero();
   typename T::Mask yields_{};

@@ -7,6 +7,7 @@
 #include "core/control/laws/arm_torque_law.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/joint_drives.hpp"
+#include "core/control/laws/plan_reader.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "sim/lanes/chain_numbers.hpp"
 #include "sim/plant/flush_denormals.hpp"
@@ -59,6 +60,7 @@ struct RolloutLanes::Lane {
                 job.scenario->scenario.plant.torque_delay_periods),
         logic(job.scenario->scenario.robot, with_goal(job.gains, job.scenario->scenario),
               job.scenario->scenario.control_period, job.scenario->scenario.mask),
+        plan(logic.model().n(), logic.gains(), logic.period()),
         q(job.scenario->scenario.start_position),
         qd(running.start_velocity()),
         theta(job.scenario->theta_start) {
@@ -69,6 +71,7 @@ struct RolloutLanes::Lane {
   LaneJob job;
   RunningRollout running;
   ControlLogic logic;
+  PlanReader plan;
   JointVector q, qd;  ///< state of the plant
   ParameterVector theta;
   ArmView view;
@@ -122,16 +125,18 @@ void RolloutLanes::start(int lane, LaneJob job) {
   const PreparedScenario& scenario = *place->job.scenario;
   const auto control = numbers_of(scenario.scenario.robot->chain);
   const auto plant = numbers_of(scenario.plant.chain);
-  std::vector<const double*> own_gains;
+  const ControlLogic& logic = place->logic;
+  LawStorage storage;
   // Lanes without a rollout are computed too. The first rollout gives them its arm, to have valid numbers.
   for (int l = 0; l < lanes(); ++l) {
     if (l != lane && !(first && !is_busy(l))) continue;
-    const JointCentering& centering = place->logic.centering();
+    const JointCentering& centering = logic.centering();
     arms_->start(
         l, {.control_chain = control.data(),
             .plant_chain = plant.data(),
-            .damping = place->logic.damping(),
-            .law = law_numbers(place->logic.gains(), scenario.theta_start, kind_.control_period, own_gains),
+            .damping = logic.damping(),
+            .law = law_numbers(
+                {logic.model(), logic.gains(), scenario.theta_start, logic.period(), logic.mask()}, storage),
             .centering_middle = centering.middle.data(),
             .centering_rate = centering.rate.data(),
             .theta_true = scenario.theta_true.data(),
@@ -199,9 +204,13 @@ void RolloutLanes::control() {
                           out.state == ControlState::kAvoidObstacles},
                          lane->logic.Kd().data());
     } else {
-      const JointReference& reference = lane->logic.output().reference;
-      arms_->follow_joints(l, {reference.velocity.data(), reference.acceleration.data()},
+      const ControlOutput& out = lane->logic.output();
+      arms_->follow_joints(l, {out.reference.velocity.data(), out.reference.acceleration.data()},
                            lane->logic.Kd().data());
+      const PlannedJoints& plan = lane->plan.read(out, running.scene(), running.time());
+      if (plan.active) {
+        arms_->follow_plan(l, {plan.position.data(), plan.velocity.data(), plan.fed_velocity.data()});
+      }
     }
     some_keep_pace = some_keep_pace || lane->logic.keeps_pace();
   }

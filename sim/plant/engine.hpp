@@ -14,7 +14,13 @@ enum class Engine {
 inline constexpr std::array kEngines = {Engine::kSimbody, Engine::kNative};
 
 constexpr const char* name(Engine engine) {
-  return engine == Engine::kSimbody ? "simbody" : "native";
+  switch (engine) {
+    case Engine::kSimbody:
+      return "simbody";
+    case Engine::kNative:
+      return "native";
+  }
+  return "";
 }
 
 /// Returns the engine of that name. Throws InputError that lists the valid names.

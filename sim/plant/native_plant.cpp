@@ -36,8 +36,9 @@ class NativePlant final : public SteppedPlant {
 
 std::unique_ptr<Plant> make_native_plant(const RobotModel& model, Stepper stepper) {
   if (stepper == Stepper::kReference) {
-    throw InputError(InputPlace{model.source},
-                     "the stepper 'reference' needs Simbody; use engine simbody, or the stepper rk4");
+    throw InputError(InputPlace{model.source, 0, "stepper"},
+                     "the stepper 'reference' needs Simbody; use engine simbody, or the stepper rk4")
+        .with_value("reference", "engine simbody, or the stepper rk4");
   }
   return std::make_unique<NativePlant>(model, stepper);
 }

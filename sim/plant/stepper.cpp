@@ -9,7 +9,8 @@ Stepper stepper_from_name(const std::string& text) {
     if (text == name(stepper)) return stepper;
   }
   const std::string limit = "midpoint, semi_implicit_euler, rk4 or reference";
-  throw InputError("stepper '" + text + "' is not known; use " + limit).with_value(text, limit);
+  throw InputError(InputPlace{.key = "stepper"}, "'" + text + "' is not known; use " + limit)
+      .with_value(text, limit);
 }
 
 }  // namespace armtune::internal

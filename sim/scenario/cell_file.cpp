@@ -30,9 +30,12 @@ Cell read_cell(const yaml::Node& node, std::vector<std::string>& inputs) {
       const bool known = std::any_of(cell.parts.begin(), cell.parts.end(),
                                      [&name](const CellPart& other) { return other.name == name; });
       const yaml::Node& named = part.required("name");
-      if (known) named.fail(fmt::format("two parts have the name {}; rename one of them", shown(name)));
+      if (known)
+        named.fail(fmt::format("two parts have the name {}; rename one of them", shown(name)),
+                   "another name");
       if (name == kFloorName)
-        named.fail(fmt::format("the name '{}' is reserved for the floor; rename the part", kFloorName));
+        named.fail(fmt::format("the name '{}' is reserved for the floor; rename the part", kFloorName),
+                   "another name");
       const Solid solid = read_solid(part);
       const Mat3 R_0S = read_turn(part);
       cell.parts.push_back({name, solid, R_0S, read_path(part, inputs)});

@@ -93,15 +93,17 @@ std::string find_data_file(const std::string& folder, const std::string& name_or
     std::string beside = (fs::path(relative_to) / name_or_path).string();
     if (!relative_to.empty() && is_there(beside)) return beside;
     if (is_there(name_or_path)) return name_or_path;
-    throw InputError(fmt::format("{}: no such file", name_or_path));
+    throw InputError(InputPlace{name_or_path}, "no such file");
   }
   std::string bundled = (fs::path(data_folder()) / folder / (name_or_path + kExtension)).string();
   if (name_or_path.size() <= kLongestName && is_there(bundled)) return bundled;
   const auto names = bundled_names(folder);
-  throw InputError(fmt::format(
-      "there is no bundled file '{0}' in {1}{2}; the bundled files are: {3}. To use your own file, "
-      "give its path, for example ./mine{4}",
-      name_or_path, folder, suggestion(name_or_path, names), fmt::join(names, " "), kExtension));
+  throw InputError(
+      fmt::format(
+          "there is no bundled file '{0}' in {1}{2}; the bundled files are: {3}. To use your own file, "
+          "give its path, for example ./mine{4}",
+          name_or_path, folder, suggestion(name_or_path, names), fmt::join(names, " "), kExtension))
+      .with_value(name_or_path, fmt::format("one of: {}", fmt::join(names, ", ")));
 }
 
 }  // namespace armtune::internal

@@ -1,6 +1,7 @@
 #include "sim/scenario/default_task.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +77,15 @@ void put_task(const Poses& poses, double ahead, double size, double shrunk, Scen
 class Placing {
  public:
   Placing(DefaultTask& task, double floor, bool thorough)
-      : task_(task), arm_(*task.scenario.robot), floor_(floor), thorough_(thorough), size_(reach(arm_)) {}
+      : task_(task), arm_(*task.scenario.robot), floor_(floor), thorough_(thorough), size_(reach(arm_)) {
+    if (!task_.scenario.clearance) return;
+    const ClearanceModel& model = *task_.scenario.clearance;
+    for (const ContactPair& pair : model.pairs()) {
+      // In every task, the first two links are close to where the arm is mounted.
+      const bool counts = pair.of != Clearance::kSelf && model.arm().solids[pair.solid].body > 1;
+      required_.push_back(counts ? kFromCell : -std::numeric_limits<double>::infinity());
+    }
+  }
 
   /// Returns tasks at the first places that fit, at most `count`.
   std::vector<DefaultTask> first(std::size_t count) {
@@ -146,7 +155,7 @@ class Placing {
     ToolGoal begin{scenario.path.at(0.0).position, {}};
     if (tracks_orientation(scenario.mask)) begin.target = scenario.targets[0].path.center;
     if (!reach_goal(arm_, begin, task_.goal)) return Fit::kNone;
-    const PathWalk walk = walk_path(scenario, task_.goal, kCentering, 0.0, WalkUntil::kLost);
+    const PathWalk walk = walk_path(scenario, task_.goal, kCentering, 0.0, WalkUntil::kLost, required_);
     if (touches(walk) || !is_clear(walk)) return Fit::kNone;
     if (walk.margin.value < least_margin) return Fit::kCloseToALimit;
     if (!is_free(walk)) return Fit::kNone;
@@ -189,18 +198,14 @@ class Placing {
     return false;
   }
 
-  /// Returns a clause about two bodies that come too close to each other; empty if there are none.
+  /// Returns a clause that names all bodies that come too close to each other; empty if there are none.
   std::string too_near(const PathWalk& walk) const {
-    for (const LeastClearance& least : walk.nearest) {
-      if (least.pair == nullptr) continue;
-      const std::string pair = task_.scenario.clearance->name(*least.pair);
-      const bool self = least.pair->of == Clearance::kSelf;
-      // In every task, the first two links are close to where the arm is mounted.
-      const int body = task_.scenario.clearance->arm().solids[least.pair->solid].body;
-      if (!self && body > 1 && least.distance < kFromCell)
-        return fmt::format("{} come closer than {} m to each other", pair, kFromCell);
-    }
-    return {};
+    std::vector<std::string> pairs;
+    for (const LeastClearance& least : walk.too_near)
+      pairs.push_back(
+          fmt::format("{} ({:.2g} m)", task_.scenario.clearance->name(*least.pair), least.distance));
+    if (pairs.empty()) return {};
+    return fmt::format("{} come closer than {} m to each other", fmt::join(pairs, ", "), kFromCell);
   }
 
   /// Returns true if a walk without contact keeps all distances and no load on it is too large. Otherwise
@@ -235,7 +240,8 @@ class Placing {
   WalkPlace lightest_{0.0, Vec3::Zero(),
                       PathWalk::kUnseen};  ///< smallest load of the walks rejected for their load alone
   int loaded_ = 0;                         ///< joint with this load
-  std::string near_;                       ///< clause about two bodies that come too close
+  std::vector<double> required_;           ///< distance of each pair below which it is too near [m]
+  std::string near_;                       ///< clause about bodies that come too close
   int lows_ = 0;                           ///< number of places that are too low
   int nears_ = 0;                          ///< number of places where bodies come too close
   bool folded_ = false;

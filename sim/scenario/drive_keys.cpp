@@ -41,9 +41,11 @@ JointVector read_values(const yaml::Node& node, const std::vector<std::string>& 
   }
   for (const double value : values) {
     if (std::isfinite(value) && (key.may_be_zero ? value >= 0.0 : value > 0.0) && value <= key.most) continue;
-    node.fail(fmt::format("a value is {} {}; it must be finite and {}{}", value, key.unit,
-                          key.may_be_zero ? "at least 0" : "above 0",
-                          std::isfinite(key.most) ? fmt::format(", and at most {}", key.most) : ""));
+    const std::string most = std::isfinite(key.most) ? fmt::format(", and at most {}", key.most) : "";
+    node.fail(InputFault{
+        .problem = fmt::format("a value is {} {}", value, key.unit),
+        .value = fmt::to_string(value),
+        .limit = fmt::format("finite and {}{}", key.may_be_zero ? "at least 0" : "above 0", most)});
   }
   return values;
 }

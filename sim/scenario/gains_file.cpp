@@ -44,7 +44,7 @@ void refuse_several(const yaml::Node& fields) {
   };
   const auto& entries = fields.entries();
   if (std::count_if(entries.begin(), entries.end(), is_node) > 1)
-    fields.fail("the file has parameters of several nodes; keep only the controller's node");
+    fields.fail("the file has parameters of several nodes; keep only the controller's node", "one node");
 }
 
 std::string value_text(std::span<const double> values, bool is_list) {
@@ -102,7 +102,7 @@ void read_field(const yaml::Node& node, const GainField& field, const std::vecto
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
                  const std::string& relative_to, const std::string& node, std::optional<RosDistro> distro) {
   const std::string path = find_data_file("gains", name_or_path, relative_to);
-  if (const auto file = read_parameter_file(path, node, distro)) {
+  if (const auto file = read_parameter_file(path, node, distro, joints)) {
     Gains gains = controller_gains(file->controller, file->path, joints);
     validate(gains, joints, file->path);
     return gains;
@@ -113,14 +113,16 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
         fmt::format(
             "a node ('{}') can be named only for a ROS parameter file with controllers, which this is not; "
             "remove the option or key that names the node",
-            node));
+            node))
+        .with_value(node, "a ROS parameter file with controllers");
   if (distro)
     throw InputError(
         InputPlace{path},
         fmt::format(
             "a distribution of ROS ('{}') can be named only for a ROS parameter file, which this is not; "
             "remove the key that names it, because the gain jtc_distro gives it here",
-            rules_of(*distro).name));
+            rules_of(*distro).name))
+        .with_value(std::string(rules_of(*distro).name), "a ROS parameter file");
   const yaml::Node root = yaml::parse_text(read_input_file(path, yaml::kMaxBytes, "a YAML file"), path);
   const yaml::Node& fields = fields_node(root);
   refuse_several(fields);
@@ -130,7 +132,7 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
     try {
       change_controller(gains, named->as_string(), static_cast<int>(joints.size()));
     } catch (const InputError& e) {
-      named->fail(e.what());
+      named->fail(e.what(), e.limit());
     }
   }
   for (const GainField& field : fields_of(gains)) {

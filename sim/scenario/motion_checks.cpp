@@ -38,7 +38,8 @@ void MotionChecks::check_position(int joint, double q, std::size_t point, bool b
   throw InputError(points_.where(point, key),
                    fmt::format("{}{} is {:.9g}, outside the joint's limits {:.6g} .. {:.6g}; {}",
                                between ? "between this point and the next, " : "", key, q, limits.lower,
-                               limits.upper, degrees ? degrees_ : "plan the motion for this robot"));
+                               limits.upper, degrees ? degrees_ : "plan the motion for this robot"))
+      .with_value(fmt::format("{:.9g}", q), fmt::format("{:.6g} to {:.6g}", limits.lower, limits.upper));
 }
 
 void MotionChecks::at_points() const {
@@ -67,7 +68,9 @@ void MotionChecks::unlimited_joints(double speed) const {
         points_.where(fast, key),
         fmt::format("{} is {:.9g}, so from the point before the joint turns at {:.3g} rad/s, but "
                     "its velocity limit is {:.3g} rad/s; {}, or leave more time between the points",
-                    key, q(fast), fastest, info.limits.velocity, degrees_));
+                    key, q(fast), fastest, info.limits.velocity, degrees_))
+        .with_value(fmt::format("{:.9g}", q(fast)),
+                    fmt::format("a velocity of at most {:.3g} rad/s", info.limits.velocity));
   }
 }
 
@@ -115,7 +118,8 @@ void MotionChecks::steps() const {
                 "{} is {:.9g}. It differs by {:.3g} from the value that the previous row gives if "
                 "the acceleration changes linearly between the rows; at most {:g} is allowed. Give more rows, "
                 "more digits, or accelerations that match",
-                key, value, std::abs(value - wanted), most));
+                key, value, std::abs(value - wanted), most))
+            .with_value(fmt::format("{:.9g}", value), fmt::format("{:.9g} within {:g}", wanted, most));
       };
       check("position", row.position[i], expected.position[i], kPositionJump);
       check("velocity", row.velocity[i], expected.velocity[i], kVelocityJump);

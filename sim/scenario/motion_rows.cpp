@@ -41,7 +41,8 @@ std::vector<double> rising_times(const CsvTable& table, const std::string& path)
           fmt::format(
               "time begins at {:.15g} s, which looks like a Unix time stamp; subtract the first time from "
               "all rows, so that the motion begins at 0 s",
-              time[0]));
+              time[0]))
+          .with_value(table.text(row, column), fmt::format("at most {:g}", kLatest));
     }
     if (row == 0 && time[0] < 0.0) {
       throw InputError(

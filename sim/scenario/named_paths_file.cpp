@@ -1,6 +1,7 @@
 #include "sim/scenario/named_paths_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -26,7 +27,8 @@ void refuse_second_of_name(const std::vector<Named>& all, const yaml::Node& node
   const auto is_so_named = [&all](const Named& other) { return other.name == all.back().name; };
   if (std::any_of(all.begin(), all.end() - 1, is_so_named))
     node.fail(
-        fmt::format("two entries of this list are named {}; rename one of them", shown(all.back().name)));
+        fmt::format("two entries of this list are named {}; rename one of them", shown(all.back().name)),
+        "another name");
 }
 
 /// Reads the name and the path of an item, which may have further keys.
@@ -75,8 +77,8 @@ std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::str
   const yaml::Node& count_node = map.required("count");
   const long count = count_node.as_integer();
   if (count < 1 || count > kMostRandomTargets) {
-    count_node.fail(
-        fmt::format("the number of targets is {}; it must lie in 1 .. {}", count, kMostRandomTargets));
+    count_node.fail(InputFault{.problem = fmt::format("the number of targets is {}", count),
+                               .limit = fmt::format("1 to {}", kMostRandomTargets)});
   }
   const Vec3 low(map.required("low").as_numbers(3).data());
   const yaml::Node& high_node = map.required("high");
@@ -106,14 +108,15 @@ std::vector<TargetTurn> read_schedule(const yaml::Node& node, const std::vector<
       if (targets[i].name == name && turn.target == targets.size()) turn.target = i;
     }
     if (turn.target == targets.size())
-      target.fail("'" + name + "' is not a target" + suggestion(name, names));
+      target.fail("'" + name + "' is not a target" + suggestion(name, names),
+                  fmt::format("one of: {}", fmt::join(names, ", ")));
     if (!(turn.at > (schedule.empty() ? 0.0 : schedule.back().at)))
-      at.fail(
-          fmt::format("the time {} s is not allowed here; the times of a schedule must be above zero and "
-                      "increase",
-                      turn.at));
+      at.fail(fmt::format("the time {} s is not allowed here; the times of a schedule must be above zero and "
+                          "increase",
+                          turn.at),
+              fmt::format("above {}", schedule.empty() ? 0.0 : schedule.back().at));
     if (turn.target == before)
-      target.fail(fmt::format("the gaze is already at {}; give another target", name));
+      target.fail(fmt::format("the gaze is already at {}; give another target", name), "another target");
     before = turn.target;
     schedule.push_back(turn);
   }

@@ -35,7 +35,9 @@ Eigen::Quaterniond read_quaternion(const yaml::Node& node) {
   const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
   const double length = quaternion.coeffs().stableNorm();
   if (!(std::abs(length - 1.0) <= kUnit))
-    node.fail(fmt::format("the quaternion has length {:.6g}; [w, x, y, z] must have length 1", length));
+    node.fail(InputFault{.problem = fmt::format("the quaternion has length {:.6g}", length),
+                         .value = fmt::format("{:.6g}", length),
+                         .limit = "[w, x, y, z] of length 1"});
   return quaternion.normalized();
 }
 
@@ -58,7 +60,8 @@ std::vector<double> times_along(const Path& path) {
 
 /// Throws InputError at `node` if the path does not determine the tool's orientation, or turns it too fast.
 void check_along(const yaml::Node& node, const Path& path, const ToolOrientation& along) {
-  if (path.rests()) node.fail("the path does not move and therefore has no direction; give rpy_deg");
+  if (path.rests())
+    node.fail("the path does not move and therefore has no direction; give rpy_deg", "a path that moves");
   const Vec3& approach = *along.approach;
   const std::vector<double> times = times_along(path);
   Vec3 last = heading(path, times.front()).position;
@@ -68,21 +71,25 @@ void check_along(const yaml::Node& node, const Path& path, const ToolOrientation
       node.fail(
           fmt::format("the path stops or reverses at {:.4g} s, where the tool would turn in an instant; "
                       "round the path there, or give waypoints",
-                      time));
+                      time),
+          "a path that neither stops nor reverses");
     }
     if (!(now.cross(approach).norm() > kLeastSine * approach.norm())) {
       node.fail(fmt::format(
-          "at {3:.4g} s the path runs along the wanted direction [{0:.4g}, {1:.4g}, {2:.4g}]. The "
-          "tool's z axis is always perpendicular to the path, so it cannot point there; give "
-          "another direction",
-          approach.x(), approach.y(), approach.z(), time));
+                    "at {3:.4g} s the path runs along the wanted direction [{0:.4g}, {1:.4g}, {2:.4g}]. The "
+                    "tool's z axis is always perpendicular to the path, so it cannot point there; give "
+                    "another direction",
+                    approach.x(), approach.y(), approach.z(), time),
+                "a direction that crosses the path");
     }
     const double rate = along.at(time, path).angular_velocity.norm();
     if (!(rate <= kFastest)) {
-      node.fail(fmt::format(
-          "the tool would turn at {:.3g} rad/s at {:.4g} s; at most {} rad/s is allowed: round the path "
-          "more, or lower its speed",
-          rate, time, kFastest));
+      node.fail(
+          fmt::format(
+              "the tool would turn at {:.3g} rad/s at {:.4g} s; at most {} rad/s is allowed: round the path "
+              "more, or lower its speed",
+              rate, time, kFastest),
+          fmt::format("at most {} rad/s", kFastest));
     }
     last = now;
   }
@@ -95,13 +102,17 @@ ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::
   ToolOrientation orientation;
   int given = 0;
   for (const char* key : kKeys) given += map.has(key) ? 1 : 0;
-  if (given != 1) node.fail("give one of: rpy_deg, quaternion, along_path, waypoints");
+  if (given != 1) {
+    const std::string limit = "one of: rpy_deg, quaternion, along_path, waypoints";
+    node.fail("give " + limit, limit);
+  }
   if (const yaml::Node* rpy = map.optional("rpy_deg")) orientation.start = read_rpy(*rpy);
   if (const yaml::Node* quaternion = map.optional("quaternion"))
     orientation.start = read_quaternion(*quaternion);
   if (const yaml::Node* along = map.optional("along_path")) {
     orientation.approach = Vec3(along->as_numbers(3).data());
-    if (orientation.approach->isZero(0.0)) along->fail("this vector is zero; it must have a direction");
+    if (orientation.approach->isZero(0.0))
+      along->fail("this vector is zero; it must have a direction", "not zero");
     check_along(*along, path, orientation);
   }
   if (const yaml::Node* waypoints = map.optional("waypoints")) {

@@ -11,6 +11,7 @@
 #include "armtune/error.hpp"
 #include "core/trajectory/polyline.hpp"
 #include "sim/scenario/waypoints_file.hpp"
+#include "sim/yaml/source_text.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -31,7 +32,7 @@ Vec3 read_vec3(const yaml::Node& node) {
 /// Reads a vector that gives a direction or an extent, and must not be zero.
 Vec3 read_extent(const yaml::Node& node) {
   Vec3 extent = read_vec3(node);
-  if (extent.isZero(0.0)) node.fail("this vector is zero; it must have a direction and a length");
+  if (extent.isZero(0.0)) node.fail("this vector is zero; it must have a direction and a length", "not zero");
   return extent;
 }
 
@@ -47,8 +48,9 @@ constexpr double kLongest = 1e9;    // s
 /// knots could overflow or are too large for an arm.
 void require_sensible(const PositionSpline& spline, const yaml::Node& node) {
   if (!(spline.end() - spline.begin() <= kLongest))
-    node.fail(fmt::format("the path takes {:.3g} s; at most {:.0e} s is allowed",
-                          spline.end() - spline.begin(), kLongest));
+    node.fail(InputFault{.problem = fmt::format("the path takes {:.3g} s", spline.end() - spline.begin()),
+                         .value = fmt::format("{:.3g}", spline.end() - spline.begin()),
+                         .limit = fmt::format("at most {:.0e} s", kLongest)});
   for (std::size_t k = 0; k < spline.knots().size(); ++k) {
     // A blend between two straight pieces has its largest acceleration in the middle.
     const double time = spline.time()[k];
@@ -57,10 +59,12 @@ void require_sensible(const PositionSpline& spline, const yaml::Node& node) {
     const double v = spline.knots()[k].velocity.norm();
     const double a = middle.acceleration.norm();
     if (!(v <= kSpeediest && a <= kSpeediest && middle.position.norm() <= 2.0 * kFarthest)) {
-      node.fail(fmt::format(
-          "the speed or acceleration at {:.3g} s is above the limit of {:.0e} m/s or m/s^2; lower the speed, "
-          "or increase the blend",
-          time, kSpeediest));
+      node.fail(
+          fmt::format(
+              "the speed or acceleration at {:.3g} s is above the limit of {:.0e} m/s or m/s^2; lower the speed, "
+              "or increase the blend",
+              time, kSpeediest),
+          fmt::format("at most {:.0e} m/s and m/s^2", kSpeediest));
     }
   }
 }
@@ -80,16 +84,20 @@ void require_sensible(const Path& path, const yaml::Node& node) {
     farthest += term.cosine.stableNorm() + term.sine.stableNorm();
   }
   if (!(farthest <= kFarthest))
-    node.fail(fmt::format("the path leads {} m away from the base; at most {:.0e} m is allowed",
-                          distance_text(farthest), kFarthest));
+    node.fail(
+        InputFault{.problem = fmt::format("the path leads {} m away from the base", distance_text(farthest)),
+                   .value = distance_text(farthest),
+                   .limit = fmt::format("at most {:.0e} m", kFarthest)});
   if (path.spline) require_sensible(*path.spline, node);
   const double fastest = std::abs(path.frequency) * highest;
   if (!(fastest <= kFastest))
-    node.fail(
-        fmt::format("the fastest harmonic has {} rad/s; at most {:.0e} rad/s is allowed", fastest, kFastest));
+    node.fail(InputFault{.problem = fmt::format("the fastest harmonic has {} rad/s", fastest),
+                         .value = fmt::to_string(fastest),
+                         .limit = fmt::format("at most {:.0e} rad/s", kFastest)});
   if (!(std::abs(path.phase) <= kMostTurns))
-    node.fail(fmt::format("the path begins at a phase of {} rad; at most {:.0e} rad is allowed", path.phase,
-                          kMostTurns));
+    node.fail(InputFault{.problem = fmt::format("the path begins at a phase of {} rad", path.phase),
+                         .value = fmt::to_string(path.phase),
+                         .limit = fmt::format("at most {:.0e} rad", kMostTurns)});
 }
 
 double read_positive(const yaml::Node& node, const char* unit) {
@@ -159,12 +167,15 @@ Path read_polyline(const yaml::Node& node, const Files&) {
   std::vector<Vec3> corners;
   for (const yaml::Node& item : corners_node.items()) {
     if (corners.size() == kMostCorners)
-      corners_node.fail(fmt::format("the line has more than {} corners; give fewer", kMostCorners));
+      corners_node.fail(fmt::format("the line has more than {} corners; give fewer", kMostCorners),
+                        fmt::format("at most {} corners", kMostCorners));
     corners.push_back(read_vec3(item));
     const double distance = corners.back().stableNorm();
     if (!(distance <= kFarthest))
-      item.fail(fmt::format("the corner is {} m away from the base; at most {:.0e} m is allowed",
-                            distance_text(distance), kFarthest));
+      item.fail(
+          InputFault{.problem = fmt::format("the corner is {} m away from the base", distance_text(distance)),
+                     .value = distance_text(distance),
+                     .limit = fmt::format("at most {:.0e} m", kFarthest)});
   }
   const double speed = read_positive(map.required("speed"), "m/s");
   const double blend = read_positive(map.required("blend"), "m");
@@ -174,7 +185,9 @@ Path read_polyline(const yaml::Node& node, const Files&) {
   try {
     path.spline = std::make_shared<const PositionSpline>(polyline(corners, speed, blend, closed));
   } catch (const InputError& e) {
-    corners_node.fail(e.what());
+    throw yaml::error_at(corners_node.file(), corners_node.line(), corners_node.key_path(),
+                         {.problem = e.what()})
+        .with_value(e.value(), e.limit());
   }
   return path;
 }

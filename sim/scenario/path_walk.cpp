@@ -52,9 +52,10 @@ ToolAim aim_at(const Scenario& scenario, double time, OrientationPoint& wanted) 
 }
 
 /// Walks for `walked` seconds from q, and sets q to the joint positions at the end. kept: receives the joint
-/// motion; null: it is not kept.
+/// motion; null: it is not kept. required: see walk_path.
 PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, double centering_gain,
-                  double roll_gain, WalkUntil until, JointWalk* kept = nullptr) {
+                  double roll_gain, WalkUntil until, const std::vector<double>& required,
+                  JointWalk* kept = nullptr) {
   const RobotModel& robot = *scenario.robot;
   const double scale = std::min(1.0, std::pow(reach(robot), 3));
   const InverseDamping damping{1e-3 * scale, 1e-3 * scale, 1.0};
@@ -64,7 +65,7 @@ PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, doubl
   TaskGoal motion;
   motion.start(q);
   MeasuredArm arm;
-  WalkExtremes extremes(scenario, kOffPath);
+  WalkExtremes extremes(scenario, kOffPath, required);
   PathWalk walk;
   const double dt = std::clamp(walked / kMostSteps, kStep, kLongestStep);
   const auto steps = static_cast<long>(std::min<double>(kMostSteps, std::ceil(walked / dt)));
@@ -88,6 +89,7 @@ PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, doubl
     if (!std::isfinite(walk.error.value)) break;
     if (until == WalkUntil::kLost && (is_off_path(walk) || walk.margin.value < 0.0)) break;
   }
+  extremes.finish(walk);
   return walk;
 }
 
@@ -125,22 +127,22 @@ bool is_clear(const PathWalk& walk) {
 JointWalk joints_along_path(const Scenario& scenario, const JointVector& q, double centering_gain) {
   JointWalk kept;
   JointVector end = q;
-  kept.walk = walk_for(scenario, scenario.duration, end, centering_gain, 0.0, WalkUntil::kEnd, &kept);
+  kept.walk = walk_for(scenario, scenario.duration, end, centering_gain, 0.0, WalkUntil::kEnd, {}, &kept);
   return kept;
 }
 
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain, double roll_gain,
-                   WalkUntil until) {
+                   WalkUntil until, const std::vector<double>& required) {
   const double walked = walked_time(scenario);
   JointVector end = q;
-  PathWalk walk = walk_for(scenario, walked, end, centering_gain, roll_gain, until);
+  PathWalk walk = walk_for(scenario, walked, end, centering_gain, roll_gain, until, required);
   if (until == WalkUntil::kLost && !can_follow(walk)) return walk;
   // A lap about the base winds a joint up, so that the next lap begins at other joint positions. If all laps
   // of the scenario together could lead to a limit, all of them are walked.
   const JointVector wound = q + scenario.duration / walked * (end - q);
   if (walked >= scenario.duration || tightest_joint(*scenario.robot, wound).margin >= 0.0) return walk;
   end = q;
-  return walk_for(scenario, scenario.duration, end, centering_gain, roll_gain, until);
+  return walk_for(scenario, scenario.duration, end, centering_gain, roll_gain, until, required);
 }
 
 }  // namespace armtune::internal

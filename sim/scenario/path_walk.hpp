@@ -26,9 +26,11 @@ enum class WalkUntil { kEnd, kLost };
 /// Steps are 0.02 s long, and longer if the walk covers more than 400 s.
 ///
 /// The scenario needs only a robot, a path, targets or an orientation, and a mask. centering_gain, roll_gain:
-/// the gains joint_centering_gain and roll_centering_gain of the controller [1/s].
+/// the gains joint_centering_gain and roll_centering_gain of the controller [1/s]. required: for each pair of
+/// scenario.clearance, the distance below which the result lists it under too_near [m]; empty: none.
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain,
-                   double roll_gain = 0.0, WalkUntil until = WalkUntil::kEnd);
+                   double roll_gain = 0.0, WalkUntil until = WalkUntil::kEnd,
+                   const std::vector<double>& required = {});
 
 /// The joint motion of a walk.
 struct JointWalk {

@@ -108,13 +108,14 @@ void validate(const Perturbation& perturbation, const std::string& where) {
     const double width = perturbation.*f.width;
     if (width >= 0.0 && (width < f.most || (f.most_included && width == f.most))) continue;
     const std::string limit = fmt::format("in [0, {}{}", f.most, f.most_included ? "]" : ")");
-    throw InputError(InputPlace{.key = where}, fmt::format("{} is {}; it must lie {}. Unit: {}; meaning: {}",
-                                                           f.name, width, limit, f.unit, f.meaning))
+    throw InputError(InputPlace{.key = fmt::format("{}/{}", where, f.name)},
+                     fmt::format("{} is {}; it must lie {}. Unit: {}; meaning: {}", f.name, width, limit,
+                                 f.unit, f.meaning))
         .with_value(fmt::to_string(width), limit);
   }
   if (perturbation.delay != std::floor(perturbation.delay)) {
     throw InputError(
-        InputPlace{.key = where},
+        InputPlace{.key = where + "/delay"},
         fmt::format("delay is {}; it must be a whole number of control periods", perturbation.delay))
         .with_value(fmt::to_string(perturbation.delay), "a whole number of control periods");
   }

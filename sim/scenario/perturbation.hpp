@@ -49,7 +49,7 @@ Perturbation default_perturbation(std::span<const Scenario> scenarios);
 Perturbation no_perturbation();
 
 /// Throws InputError, naming field, value and limit, if a width is not within its limits or if `delay` is not
-/// a whole number. The message begins with `where`.
+/// a whole number. The key of the error is `where` and the field, such as `perturbation/mass`.
 void validate(const Perturbation& perturbation, const std::string& where = "perturbation");
 
 /// Returns the scenario with the estimated rotor inertia of the simulated arm multiplied by `factor`. Rotor

@@ -76,7 +76,8 @@ MotionPoints read_rows(const UserTable& file, const RobotModel& robot) {
   if (table.rows() > kMostRows)
     throw InputError(
         InputPlace{parsed.name},
-        fmt::format("{} rows; a motion may have at most {}: use fewer rows", table.rows(), kMostRows));
+        fmt::format("{} rows; a motion may have at most {}: use fewer rows", table.rows(), kMostRows))
+        .with_value(std::to_string(table.rows()), fmt::format("at most {} rows", kMostRows));
   MotionPoints motion;
   motion.file = parsed.name;
   if (!has_positions_only(table, robot)) motion.time = rising_seconds(parsed, file);
@@ -111,9 +112,10 @@ MotionPoints read_points(const PlannedFile& file, const RobotModel& robot) {
   if (!is_trajectory_message(file.table.path)) return read_rows(file.table, robot);
   if (file.table.is_described())
     throw InputError(
-        InputPlace{file.table.path},
+        InputPlace{file.table.path, 0, "units"},
         "'units' and 'columns' are for CSV files only; a JointTrajectory has seconds, radians and "
-        "joint_names: leave both keys out");
+        "joint_names: leave both keys out")
+        .with_value({}, "a CSV file");
   return load_trajectory_message(file.table.path, robot);
 }
 
@@ -141,7 +143,16 @@ JointSpline motion_of(const PlannedFile& file, MotionPoints motion, const RobotM
   const MotionChecks checks(robot, motion, hint_for_degrees(message));
   checks.at_points();
   checks.unlimited_joints(file.speed);
-  if (file.as_ros || message || motion.given == PointsGive::kVelocities) {
+  if (file.segments == Segments::kNextPoint) {
+    if (motion.given == PointsGive::kPositions)
+      throw InputError(InputPlace{motion.file, 0, "velocities"},
+                       "the points have no velocities, which a controller needs that does not interpolate "
+                       "between them (interpolation_method: none); give the velocities of each point")
+          .with_value({}, "velocities of each point");
+    change_speed(file.speed, motion);
+    return {std::move(motion.time), std::move(motion.points), motion.given, BetweenPoints::kNextPoint};
+  }
+  if (file.segments == Segments::kAsRos || message || motion.given == PointsGive::kVelocities) {
     checks.between_points(JointSpline(motion.time, motion.points, motion.given));
     change_speed(file.speed, motion);
     return {std::move(motion.time), std::move(motion.points), motion.given};
@@ -161,14 +172,16 @@ std::vector<JointVector> goals_of(const PlannedFile& file, const MotionPoints& p
   const std::size_t count = points.points.size();
   if (count < 2)
     throw InputError(InputPlace{points.file},
-                     "there is only one joint goal; give at least two. The arm starts at the first one");
+                     "there is only one joint goal; give at least two. The arm starts at the first one")
+        .with_value(std::to_string(count), "at least 2 joint goals");
   if (count > kMostGoals)
     throw InputError(
         InputPlace{points.file},
         fmt::format(
             "the file has {} joint goals without times, but a planned motion stops at each goal and can "
             "have at most {}; if these are points of one motion, give their times",
-            count, kMostGoals));
+            count, kMostGoals))
+        .with_value(std::to_string(count), fmt::format("at most {} joint goals", kMostGoals));
   MotionChecks(robot, points, hint_for_degrees(is_trajectory_message(file.table.path))).at_points();
   std::vector<JointVector> goals;
   goals.reserve(count);
@@ -177,7 +190,8 @@ std::vector<JointVector> goals_of(const PlannedFile& file, const MotionPoints& p
     if (!point.velocity.isZero(0.0) || !point.acceleration.isZero(0.0))
       throw InputError(points.where(k, "time_from_start"),
                        "the points have velocities or accelerations, but no times; give each point its time, "
-                       "or leave the velocities and accelerations out");
+                       "or leave the velocities and accelerations out")
+          .with_value({}, "a time for each point");
     // A goal at a rounded limit may exceed the limit by the last digit.
     goals.emplace_back(point.position.cwiseMax(robot.lower_limits()).cwiseMin(robot.upper_limits()));
   }
@@ -192,10 +206,13 @@ PlannedFile read_planned_node(const yaml::Node& node) {
   PlannedFile file;
   file.table = read_user_table(map, "time angle length");
   if (const yaml::Node* segments = map.optional("segments")) {
-    file.as_ros = segments->is_word("as_ros");
-    if (!file.as_ros)
-      segments->fail(fmt::format("'{}' is not valid; give as_ros, or leave the key out for a smooth motion",
-                                 segments->as_string()));
+    if (!segments->is_word("as_ros") && !segments->is_word("next_point"))
+      segments->fail(
+          fmt::format(
+              "'{}' is not valid; give as_ros or next_point, or leave the key out for a smooth motion",
+              segments->as_string()),
+          "as_ros or next_point");
+    file.segments = segments->is_word("as_ros") ? Segments::kAsRos : Segments::kNextPoint;
   }
   file.speed = map.number_in("speed", 1.0, kSlowest, kFastest);
   map.finish();
@@ -205,10 +222,11 @@ PlannedFile read_planned_node(const yaml::Node& node) {
 JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot) {
   MotionPoints points = read_points(file, robot);
   if (points.time.empty())
-    throw InputError(InputPlace{points.file},
-                     is_trajectory_message(file.table.path)
-                         ? "no point has a time_from_start above 0; give each point its time"
-                         : "no column 'time'; give the time of each row in seconds");
+    throw is_trajectory_message(file.table.path)
+        ? InputError(InputPlace{points.file, 0, "time_from_start"},
+                     "no point has a time_from_start above 0; give each point its time")
+        : InputError(InputPlace{points.file, 0, "time"},
+                     "no column 'time'; give the time of each row in seconds");
   return motion_of(file, std::move(points), robot);
 }
 

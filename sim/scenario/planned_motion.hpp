@@ -12,16 +12,23 @@
 
 namespace armtune::internal {
 
+/// The motion between the points of a file.
+enum class Segments {
+  kOfFile,    ///< it depends on the file (load_planned_motion)
+  kAsRos,     ///< interpolated as in the controllers of ROS (ros_segments.hpp)
+  kNextPoint  ///< not interpolated, as in such controllers with interpolation_method `none`
+};
+
 /// A file with a planned motion, and how its points are interpolated.
 struct PlannedFile {
   UserTable table;
-  bool as_ros = false;  ///< true: interpolated as in the controllers of ROS (ros_segments.hpp)
-  double speed = 1.0;   ///< factor on the speed; 0.5 doubles the time after the first point
+  Segments segments = Segments::kOfFile;
+  double speed = 1.0;  ///< factor on the speed; 0.5 doubles the time after the first point
 };
 
 /// Reads a node that names the file of a planned motion: the file's name alone, or a map {file, units: {time,
-/// angle, length}, columns: [time, JOINT, ...], segments: as_ros, speed}. A relative name begins in the
-/// folder of the file that contains the node. Throws InputError with file, line and key.
+/// angle, length}, columns: [time, JOINT, ...], segments: as_ros or next_point, speed}. A relative name
+/// begins in the folder of the file that contains the node. Throws InputError with file, line and key.
 PlannedFile read_planned_node(const yaml::Node& node);
 
 /// Reads a planned motion from a CSV file or a trajectory message.
@@ -31,7 +38,8 @@ PlannedFile read_planned_node(const yaml::Node& node);
 /// joints. Velocities and accelerations are per second, even if `time` has another unit. Other columns are
 /// ignored.
 ///
-/// The points are interpolated in one of these ways:
+/// With `segments: next_point`, which requires velocities, the motion jumps from point to point
+/// (JointSpline). Otherwise the points are interpolated in one of these ways:
 ///   - as ROS does, if the file is a message, has velocities but no accelerations, or has `segments: as_ros`;
 ///   - otherwise, with linear acceleration between rows, if the file has accelerations;
 ///   - otherwise, by the cubic spline through the positions, which is at rest at both ends.

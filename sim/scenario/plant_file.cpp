@@ -49,7 +49,11 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
     const yaml::Node* friction = map.optional(key);
     if (friction == nullptr) continue;
     *values = yaml::joint_values(*friction, joints);
-    if ((values->array() < 0.0).any()) friction->fail("friction must not be negative", "not negative");
+    if ((values->array() < 0.0).any()) {
+      friction->fail(InputFault{.problem = fmt::format("the friction of a joint is {}", values->minCoeff()),
+                                .value = fmt::to_string(values->minCoeff()),
+                                .limit = "0 or more"});
+    }
   }
   for (const auto& [key, values] :
        {std::pair{"mass_factors", &plant.mass_factors}, std::pair{"inertia_factors", &plant.inertia_factors},
@@ -58,8 +62,9 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
     if (factors == nullptr) continue;
     *values = yaml::joint_values(*factors, joints);
     if (!(values->array() > 0.0).all()) {
-      factors->fail(
-          fmt::format("a factor is {}; each must be > 0 (1: as in the robot file)", values->minCoeff()));
+      factors->fail(InputFault{.problem = fmt::format("a factor is {}", values->minCoeff()),
+                               .value = fmt::to_string(values->minCoeff()),
+                               .limit = "factors above 0 (1: as in the robot file)"});
     }
   }
   map.finish();

@@ -51,8 +51,10 @@ void check_radii(const yaml::Node& node, const RobotModel& model) {
   for (int i = 0; i < model.n(); ++i) {
     const double radius = model.link_radii[i];
     if (radius >= 0.0 && radius <= kThickest) continue;
-    node.fail(fmt::format("the radius of {} is {} m; it must lie in 0 .. {}",
-                          model.joints[static_cast<std::size_t>(i)].link, radius, kThickest));
+    const std::string& link = model.joints[static_cast<std::size_t>(i)].link;
+    node.fail(InputFault{.problem = fmt::format("the radius of {} is {} m", link, radius),
+                         .value = fmt::to_string(radius),
+                         .limit = fmt::format("0 to {} m", kThickest)});
   }
 }
 
@@ -61,7 +63,9 @@ void check_drive(const RobotFile& file, const char* key, const JointVector& valu
   for (const double value : values) {
     if (std::isfinite(value) && (above_zero ? value > 0.0 : value >= 0.0)) continue;
     file.root->find(key)->fail(
-        fmt::format("a value is {}; it must be finite and {}", value, above_zero ? "above 0" : "at least 0"));
+        InputFault{.problem = fmt::format("a value is {}", value),
+                   .value = fmt::to_string(value),
+                   .limit = above_zero ? "finite and above 0" : "finite and at least 0"});
   }
 }
 

@@ -52,9 +52,11 @@ Gains with_goal(Gains gains, const Scenario& scenario) {
       gains.joint_space_goal = in_degrees(*scenario.robot, scenario.start_position);
       return gains;
     }
-    throw InputError(scenario.name +
-                     ": the scenario has a start_position_deg, but the gains have no joint_space_goal; give "
-                     "joint_space_goal too, or remove start_position_deg, and armtune computes both");
+    throw InputError(
+        InputPlace{scenario.source.empty() ? scenario.name : scenario.source, 0, "start_position_deg"},
+        "the scenario has a start_position_deg, but the gains have no joint_space_goal; give "
+        "joint_space_goal too, or remove start_position_deg, and armtune computes both")
+        .with_value({}, "joint_space_goal in the gains");
   }
   gains.joint_space_goal = in_degrees(*scenario.robot, scenario.goal_position);
   return gains;

@@ -15,10 +15,10 @@
 #include "sim/scenario/named_paths_file.hpp"
 #include "sim/scenario/orientation_file.hpp"
 #include "sim/scenario/path_file.hpp"
-#include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/plant_file.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "sim/scenario/scenario_times.hpp"
 #include "sim/scenario/start_of_task.hpp"
 #include "sim/scenario/stimulus_file.hpp"
 #include "sim/scenario/waypoints_file.hpp"
@@ -30,10 +30,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxBaseFiles = 16;
-constexpr double kMaxPeriods = 1e8;
-constexpr double kLongestHold = 3600.0;   // s
-constexpr double kLeastTolerance = 1e-6;  // rad, m
-constexpr double kRounding = 1e-6;        // of a period: a smaller excess over whole periods adds no period
 
 /// Reads the task mask. If node is null, returns the largest mask that the number of joints allows.
 TaskMask read_mask(const yaml::Node* node, int joints) {
@@ -43,23 +39,25 @@ TaskMask read_mask(const yaml::Node* node, int joints) {
     if (text != name(mask)) continue;
     const TaskMask most = largest_mask(joints);
     if (components(mask) > joints) {
-      node->fail(fmt::format(
-          "{} needs {} joints, but the arm has {}; {}", text, components(mask), joints,
-          components(most) <= joints
-              ? fmt::format("the largest possible task_mask is {}", name(most))
-              : "leave the key 'task_mask' out: the arm then follows the position as far as its joints "
-                "allow"));
+      const bool has_most = components(most) <= joints;
+      node->fail(
+          fmt::format("{} needs {} joints, but the arm has {}; {}", text, components(mask), joints,
+                      has_most ? fmt::format("the largest possible task_mask is {}", name(most))
+                               : "leave the key 'task_mask' out: the arm then follows the position as far as "
+                                 "its joints allow"),
+          has_most ? fmt::format("at most {}", name(most)) : "no task_mask");
     }
     return mask;
   }
-  node->fail("'" + text + "' is not one of: pose, position_and_axis, position");
+  node->fail_choice({"pose", "position_and_axis", "position"});
 }
 
 /// Reads from where on the arm the distance to obstacles is measured: `joints`, from the joints' origins, or
 /// `links`, from capsules around the links.
 void read_distance(const yaml::Node& node, Scenario& scenario) {
   if (node.is_word("joints")) return;
-  if (!node.is_word("links")) node.fail("'" + node.as_string() + "' is neither joints nor links");
+  if (!node.is_word("links"))
+    node.fail("'" + node.as_string() + "' is neither joints nor links", "joints or links");
   scenario.robot = std::make_shared<const RobotModel>(with_link_surfaces(*scenario.robot));
 }
 
@@ -73,7 +71,8 @@ ThetaStart read_theta_start(const yaml::Node& node) {
   ThetaStart start;
   const bool has_file = map.has("file");
   if (has_file == map.has("model_scale")) {
-    node.fail("give either file or model_scale (0: theta starts at zero, 1: at the robot's model)");
+    node.fail("give either file or model_scale (0: theta starts at zero, 1: at the robot's model)",
+              "file or model_scale");
   }
   if (has_file) {
     start.file = path_in(map.required("file"));
@@ -98,7 +97,8 @@ yaml::Node parse_with_base(const std::string& path, std::vector<std::string>& fi
   std::vector<yaml::Node> layers;
   for (const std::string& name : names) {
     if (files.size() > kMaxBaseFiles)
-      base->fail("more than 16 base files; does a file name itself as its base?");
+      base->fail(fmt::format("more than {} base files; does a file name itself as its base?", kMaxBaseFiles),
+                 fmt::format("at most {} base files", kMaxBaseFiles));
     layers.push_back(parse_with_base(find_data_file("scenarios", name, folder_of(path)), files));
   }
   layers.push_back(own);
@@ -111,20 +111,12 @@ void read_start(const yaml::Node& node, Scenario& scenario) {
     const JointInfo& joint = scenario.robot->joints[static_cast<std::size_t>(i)];
     const double q = scenario.start_position[i];
     if (joint.limits.has_position && (q < joint.limits.lower || q > joint.limits.upper)) {
-      node.fail(fmt::format("{} starts at {:.6g} (in rad or m), outside its limits {:.6g} .. {:.6g}",
-                            joint.name, q, joint.limits.lower, joint.limits.upper));
+      node.fail(InputFault{
+          .problem = fmt::format("{} starts at {:.6g} (in rad or m), outside its limits", joint.name, q),
+          .value = fmt::format("{:.6g}", q),
+          .limit = fmt::format("{:.6g} to {:.6g}", joint.limits.lower, joint.limits.upper)});
     }
   }
-}
-
-/// Reads the planned motion. The scenario starts at the beginning of this motion.
-void read_planned(const yaml::Node& node, Scenario& scenario) {
-  const PlannedFile file = read_planned_node(node);
-  scenario.planned = std::make_shared<const JointSpline>(load_planned_motion(file, *scenario.robot));
-  scenario.inputs.push_back(file.table.path);
-  scenario.start_time = scenario.planned->begin();
-  scenario.start_position = scenario.planned->knots().front().position;
-  scenario.start_velocity = scenario.planned->knots().front().velocity;
 }
 
 /// Sets the task of a scenario that has nothing but a planned motion: to stay where the motion ends.
@@ -168,55 +160,25 @@ void read_task(yaml::MapReader& map, Scenario& scenario) {
     if (scenario.targets.empty())
       targets.fail(
           "the list is empty; give at least one target for the gaze, or give the tool's 'orientation' "
-          "instead");
+          "instead",
+          "at least one target");
     return;
   }
   if (const yaml::Node* targets = map.optional("targets");
       targets != nullptr && !read_targets(*targets, scenario.inputs).empty())
-    orientation->fail("the tool's orientation cannot be combined with gaze targets; set 'targets' to []");
+    orientation->fail("the tool's orientation cannot be combined with gaze targets; set 'targets' to []",
+                      "no gaze targets");
   if (!tracks_orientation(scenario.mask))
     orientation->fail(
         "the tool's orientation has no effect with 'task_mask: position'; remove it, or give a larger "
-        "task_mask");
+        "task_mask",
+        "a task_mask with an orientation");
   scenario.orientation = read_orientation(*orientation, scenario.path, scenario.inputs);
   if (scenario.orientation->approach && scenario.mask != TaskMask::kPose)
     orientation->fail(
         "along_path sets the rotation about the tool's z axis, which the task_mask leaves free; give "
-        "rpy_deg, or a task_mask of pose");
-}
-
-/// Reads the duration [s]: a number, or `planned` for the length of the planned motion and `hold_end` [s],
-/// rounded up to whole periods. node: null if the key is absent, which means `planned`.
-double read_duration(const yaml::Node* node, double hold, const Scenario& scenario) {
-  const bool as_planned = node == nullptr || node->is_word("planned");
-  if (as_planned && !scenario.planned)
-    node->fail("there is no planned trajectory; give the duration in seconds");
-  const double period = scenario.control_period;
-  const double duration =
-      as_planned
-          ? std::ceil((scenario.planned->end() - scenario.planned->begin() + hold) / period - kRounding) *
-                period
-          : node->as_number();
-  if (duration >= period && duration <= kMaxPeriods * period) return duration;
-  const std::string message = fmt::format("{} s; it must lie between one and {:.0e} control periods of {} s",
-                                          duration, kMaxPeriods, period);
-  if (node == nullptr)
-    throw InputError(InputPlace{scenario.source}, "the planned trajectory takes " + message);
-  node->fail(message);
-}
-
-/// Reads the time for which the arm stays at the end of the planned motion [s].
-double read_hold(yaml::MapReader& map, const yaml::Node* duration) {
-  const double time = map.number_in("hold_end", 0.0, 0.0, kLongestHold);
-  if (time == 0.0) return time;
-  const yaml::Node* hold = map.optional("hold_end");
-  if (duration != nullptr && !duration->is_word("planned"))
-    hold->fail("it has no effect with a duration in seconds; give 'duration: planned'");
-  if (map.has("path") || map.has("orientation") || map.has("targets"))
-    hold->fail(
-        "the arm does not stay at the end of the planned motion, because the scenario has a task of its tool; "
-        "give the duration in seconds");
-  return time;
+        "rpy_deg, or a task_mask of pose",
+        "a task_mask of pose");
 }
 
 /// Reads the scenario's cell and adds the scenario's obstacles to it. node: null if the scenario has no cell
@@ -230,9 +192,10 @@ void read_clearance(const yaml::Node* node, const RobotFile& robot, Scenario& sc
                                    [&](const CellPart& part) { return part.name == obstacle.name; });
     if (taken)
       throw InputError(
-          InputPlace{scenario.source},
+          InputPlace{scenario.source, 0, "obstacles"},
           fmt::format("an obstacle and a part of the cell are both called '{}'; rename one of them",
-                      obstacle.name));
+                      obstacle.name))
+          .with_value(obstacle.name, "another name");
     if (obstacle.radius > 0.0)
       cell->parts.push_back({obstacle.name, sphere(obstacle.radius), Mat3::Identity(), obstacle.path, true});
   }
@@ -248,25 +211,9 @@ void name_after(const std::string& path, Scenario& scenario) {
     throw InputError(
         InputPlace{path},
         fmt::format("the name '{}' is reserved, because it means all scenarios together; rename the file",
-                    kAllScenarios));
+                    kAllScenarios))
+        .with_value(scenario.name, "another name");
   scenario.source = path;
-}
-
-/// Reads the control period, the planned motion and the duration.
-void read_times(yaml::MapReader& map, Scenario& scenario) {
-  const yaml::Node& period = map.required("control_period");
-  scenario.control_period = period.as_number();
-  if (scenario.control_period < 1e-5 || scenario.control_period > 0.1) {
-    period.fail(fmt::format("the value is {} s; it must lie in 1e-5 .. 0.1 s", scenario.control_period));
-  }
-  if (const yaml::Node* planned = map.optional("planned")) {
-    read_planned(*planned, scenario);
-    const yaml::Node* duration = map.optional("duration");
-    scenario.duration = read_duration(duration, read_hold(map, duration), scenario);
-    scenario.goal_tolerance = map.number_in("goal_tolerance", scenario.goal_tolerance, kLeastTolerance, 1.0);
-  } else {
-    scenario.duration = read_duration(&map.required("duration"), 0.0, scenario);
-  }
 }
 
 /// Reads the times at which the gaze changes its target.
@@ -275,7 +222,8 @@ void read_target_switches(yaml::MapReader& map, Scenario& scenario) {
   if (const yaml::Node* schedule = map.optional("schedule")) {
     scenario.schedule = read_schedule(*schedule, scenario.targets);
     if (scenario.switch_every > 0.0 && !scenario.schedule.empty())
-      schedule->fail("a schedule cannot be combined with 'switch_every'; set 'switch_every' to 0");
+      schedule->fail("a schedule cannot be combined with 'switch_every'; set 'switch_every' to 0",
+                     "no switch_every");
   }
 }
 
@@ -283,13 +231,15 @@ void read_target_switches(yaml::MapReader& map, Scenario& scenario) {
 void read_test_signal(const yaml::Node& node, Scenario& scenario) {
   if (scenario.planned)
     node.fail(
-        "a stimulus has no effect while the planned trajectory is followed; remove 'stimulus' or 'planned'");
+        "a stimulus has no effect while the planned trajectory is followed; remove 'stimulus' or 'planned'",
+        "no planned trajectory");
   scenario.stimulus = read_stimulus(node, scenario.duration, scenario.control_period);
   if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.targets.empty())
-    node.fail("the stimulus shifts a target, but the scenario has no targets; give 'on: path'");
+    node.fail("the stimulus shifts a target, but the scenario has no targets; give 'on: path'", "on: path");
   if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.next_switch(0.0) < HUGE_VAL) {
     node.fail(
-        "a stimulus on a target needs a target that does not switch; take switch_every and schedule out");
+        "a stimulus on a target needs a target that does not switch; take switch_every and schedule out",
+        "neither switch_every nor schedule");
   }
 }
 
@@ -324,7 +274,8 @@ Scenario load_scenario(const std::string& name_or_path) {
     scenario.start_position = off_goal(*scenario.robot, scenario.goal_position);
   }
   if (const yaml::Node* camera = map.optional("target_camera")) {
-    if (scenario.orientation) camera->fail("the scenario has no targets for the camera; take the key out");
+    if (scenario.orientation)
+      camera->fail("the scenario has no targets for the camera; take the key out", "no camera");
     scenario.camera = read_camera(*camera);
   }
   if (const yaml::Node* from = map.optional("obstacle_distance")) read_distance(*from, scenario);
@@ -332,7 +283,7 @@ Scenario load_scenario(const std::string& name_or_path) {
   scenario.theta = read_theta_start(map.required("theta_start"));
   if (const yaml::Node* plant = map.optional("plant")) scenario.plant = read_plant(*plant, joints);
   const long seed = map.integer("seed", 1);
-  if (seed < 0) map.required("seed").fail("must not be negative");
+  if (seed < 0) map.required("seed").fail("must not be negative", "not negative");
   scenario.seed = static_cast<std::uint64_t>(seed);
   map.finish();
   if (!scenario.theta.file.empty()) start_theta_from(std::string(scenario.theta.file), scenario);

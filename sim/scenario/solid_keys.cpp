@@ -16,13 +16,15 @@ constexpr double kLargest = 1000.0;  // m
 double length(double value, const yaml::Node& node, const char* what) {
   if (value > 0.0 && value <= kLargest) return value;
   const std::string limit = fmt::format("above 0 and at most {}", kLargest);
-  node.fail(fmt::format("{} is {} m; it must be {}", what, value, limit), limit);
+  node.fail(InputFault{
+      .problem = fmt::format("{} is {} m", what, value), .value = fmt::to_string(value), .limit = limit});
 }
 
 Vec3 place(const yaml::Node& node) {
   Vec3 point(node.as_numbers(3).data());
   if (!(point.cwiseAbs().maxCoeff() <= kLargest))
-    node.fail(fmt::format("a coordinate exceeds +-{} m; give metres", kLargest));
+    node.fail(fmt::format("a coordinate exceeds +-{} m; give metres", kLargest),
+              fmt::format("-{0} to {0} m", kLargest));
   return point;
 }
 

@@ -49,7 +49,7 @@ JointVector best_start_of_task(const Scenario& scenario) {
   if (best) return *best;
   const Vec3& tool = goal.tool;
   throw InputError(
-      InputPlace{shown_path(scenario.source)},
+      InputPlace{shown_path(scenario.source), 0, "path"},
       fmt::format("{} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m, where the path begins{}, "
                   "within its joint limits; move the path, or give start_position_deg{}",
                   scenario.robot->name, tool.x(), tool.y(), tool.z(),
@@ -58,7 +58,9 @@ JointVector best_start_of_task(const Scenario& scenario) {
                                        : "",
                   tool.norm() > kMillimetres * reach(*scenario.robot)
                       ? ". If these are millimetres, declare this: units: {length: mm}"
-                      : ""));
+                      : ""))
+      .with_value(fmt::format("({:.4g}, {:.4g}, {:.4g})", tool.x(), tool.y(), tool.z()),
+                  "a place that the tool can reach");
 }
 
 JointVector off_goal(const RobotModel& robot, const JointVector& goal) {

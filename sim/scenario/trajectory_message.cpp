@@ -33,13 +33,14 @@ const yaml::Node& trajectory_in(const yaml::Node& root) {
     node = inner;
   }
   if (node->kind() != yaml::Node::Kind::kMap || node->find("points") == nullptr)
-    root.fail("not a trajectory_msgs/JointTrajectory: there is neither 'points' nor 'joint_trajectory'");
+    root.fail("not a trajectory_msgs/JointTrajectory: there is neither 'points' nor 'joint_trajectory'",
+              "a trajectory_msgs/JointTrajectory");
   return *node;
 }
 
 const yaml::Node& required(const yaml::Node& map, const char* key) {
   const yaml::Node* node = map.find(key);
-  if (node == nullptr) map.fail(fmt::format("missing key '{}'", key));
+  if (node == nullptr) map.fail(fmt::format("missing key '{}'", key), fmt::format("the key '{}'", key));
   return *node;
 }
 
@@ -49,7 +50,7 @@ std::vector<std::size_t> places_of(const yaml::Node& names, const RobotModel& ro
   for (std::size_t i = 1; i < in_file.size(); ++i) {
     if (std::find(in_file.begin(), in_file.begin() + static_cast<std::ptrdiff_t>(i), in_file[i]) !=
         in_file.begin() + static_cast<std::ptrdiff_t>(i))
-      names.fail(fmt::format("joint '{}' is listed twice", in_file[i]));
+      names.items()[i].fail(fmt::format("joint '{}' is listed twice", in_file[i]), "each joint once");
   }
   std::vector<std::size_t> places;
   places.reserve(robot.joints.size());
@@ -57,7 +58,8 @@ std::vector<std::size_t> places_of(const yaml::Node& names, const RobotModel& ro
     const auto found = std::find(in_file.begin(), in_file.end(), joint.name);
     if (found == in_file.end()) {
       names.fail(fmt::format("joint '{0}' of {1} is missing{2}; the file has: {3}", joint.name, robot.name,
-                             suggestion(joint.name, in_file), fmt::join(in_file, ", ")));
+                             suggestion(joint.name, in_file), fmt::join(in_file, ", ")),
+                 fmt::format("a list with '{}'", joint.name));
     }
     places.push_back(static_cast<std::size_t>(found - in_file.begin()));
   }
@@ -71,6 +73,19 @@ double seconds_in(const yaml::Node& time) {
   const yaml::Node* nanoseconds = time.find(ros1 ? "nsecs" : "nanosec");
   return required(time, ros1 ? "secs" : "sec").as_number() +
          (nanoseconds == nullptr ? 0.0 : 1e-9 * nanoseconds->as_number());
+}
+
+/// Throws InputError if a time [s] is negative, or not later than the time of the point before.
+void check_time(const yaml::Node& node, double time, const std::vector<double>& before) {
+  if (time < 0.0) {
+    node.fail(InputFault{.problem = fmt::format("the time is {} s", time),
+                         .value = fmt::to_string(time),
+                         .limit = "0 or more"});
+  }
+  if (before.empty() || time > before.back()) return;
+  node.fail(InputFault{.problem = fmt::format("the time {} s is not later than in the point before", time),
+                       .value = fmt::to_string(time),
+                       .limit = fmt::format("above {} s", before.back())});
 }
 
 /// True if all points lack time_from_start, or if it is 0 in all of them because nobody filled in the times.
@@ -117,7 +132,8 @@ PointsGive given_in(const yaml::Node& point) {
   const bool accelerations = numbers_in(point, "accelerations") != nullptr;
   if (accelerations && !velocities)
     point.fail(
-        "the point has accelerations but no velocities; give velocities too, or leave the accelerations out");
+        "the point has accelerations but no velocities; give velocities too, or leave the accelerations out",
+        "velocities with accelerations");
   return accelerations ? PointsGive::kAccelerations
          : velocities  ? PointsGive::kVelocities
                        : PointsGive::kPositions;
@@ -139,16 +155,15 @@ MotionPoints load_trajectory_message(const std::string& path, const RobotModel& 
   const bool timed = !have_no_times(points);
   for (const yaml::Node& point : points.items()) {
     const double time = timed ? seconds_in(required(point, "time_from_start")) : 0.0;
-    if (time < 0.0) point.fail(fmt::format("time_from_start is {} s; it must not be negative", time));
-    if (!motion.time.empty() && time <= motion.time.back())
-      point.fail(fmt::format("time_from_start {} s is not later than {} s in the point before; it must rise",
-                             time, motion.time.back()));
+    if (timed) check_time(*point.find("time_from_start"), time, motion.time);
     const PointsGive given = given_in(point);
     if (motion.points.empty()) motion.given = given;
     if (given != motion.given)
-      point.fail("only some points have velocities or accelerations; give them for all or for none");
+      point.fail("only some points have velocities or accelerations; give them for all or for none",
+                 "what the first point has");
     const yaml::Node* positions = numbers_in(point, "positions");
-    if (positions == nullptr) point.fail("the point has no positions; give one for each joint");
+    if (positions == nullptr)
+      point.fail("the point has no positions; give one for each joint", "a position for each joint");
     if (timed) motion.time.push_back(time);
     motion.points.push_back({reader.values(*positions),
                              reader.values_or_zero(numbers_in(point, "velocities")),
@@ -159,7 +174,8 @@ MotionPoints load_trajectory_message(const std::string& path, const RobotModel& 
     points.fail(
         fmt::format("the message has {} points; a motion needs at least two, and the first one is the arm's "
                     "start position",
-                    motion.points.size()));
+                    motion.points.size()),
+        "at least 2 points");
   return motion;
 }
 

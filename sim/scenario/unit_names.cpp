@@ -65,7 +65,8 @@ std::string plain_names(const std::string& line, const std::string& path, const 
     if (any_unit && has_brackets(name))
       throw InputError(
           at_line(path, 1, name),
-          fmt::format("column {} has an unknown unit; take the units out of the column names", shown(name)));
+          fmt::format("column {} has an unknown unit; take the units out of the column names", shown(name)))
+          .with_value(name, "column names without units");
   }
   name_time(plain);
   return fmt::format("{}", fmt::join(plain, ","));

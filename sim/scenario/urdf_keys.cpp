@@ -94,11 +94,13 @@ void read_tool(const yaml::Node& node, UrdfOptions& options) {
     options.tool_inertia = read_inertia(map);
     if (!(options.tool_inertia->mass > 0.0))
       map.required("mass").fail(
-          "the mass of a tool must be above zero; if nothing is mounted, leave out mass, center and moments");
+          "the mass of a tool must be above zero; if nothing is mounted, leave out mass, center and moments",
+          "above zero");
     if (!is_physical(in_link_frame(*options.tool_inertia)))
       map.required("moments").fail(
           "no rigid body has these moments of inertia; no principal moment may be negative or larger than "
-          "the sum of the other two");
+          "the sum of the other two",
+          "moments of a rigid body");
   }
   if (const yaml::Node* shapes = map.optional("shapes")) options.tool_shapes = read_shapes(*shapes);
 }

@@ -43,7 +43,9 @@ std::string with_commas(std::string_view text, const std::string& path, ColumnNa
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (++number == 1) separator = find_separator(line);
     if (line.find_first_not_of(" \t") == std::string_view::npos) {
-      if (number == 1) throw InputError(at_line(path, 1), "the first line is empty; remove it");
+      if (number == 1)
+        throw InputError(at_line(path, 1), "the first line is empty; remove it")
+            .with_value({}, "column names");
       if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) break;  // empty lines at the end
     }
     if (std::count(line.begin(), line.end(), separator) > kMostCells)
@@ -113,7 +115,8 @@ ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std
           at_line(path, 1),
           fmt::format("the first line has numbers instead of column names; add a line of names, or name the "
                       "columns in the scenario: {}: {{file: {}, columns: [{}]}}",
-                      key, yaml::quoted(std::filesystem::path(path).filename().string()), columns));
+                      key, yaml::quoted(std::filesystem::path(path).filename().string()), columns))
+          .with_value({}, "column names");
     }
     text.insert(0, fmt::format("{}\n", fmt::join(file.columns, ",")));
     name += " (with a line of names added)";

@@ -50,12 +50,12 @@ void take_smaller(const WalkPlace& place, WalkPlace& found) {
   if (!(place.value >= found.value)) found = place;
 }
 
-WalkExtremes::WalkExtremes(const Scenario& scenario, double off_path)
+WalkExtremes::WalkExtremes(const Scenario& scenario, double off_path, const std::vector<double>& required)
     : robot_(*scenario.robot),
       off_path_(off_path),
       loaded_(with_payload(robot_, scenario.plant.payload).chain),
       efforts_(robot_.effort_limits()) {
-  if (scenario.clearance) cell_.emplace(scenario.clearance);
+  if (scenario.clearance) cell_.emplace(scenario.clearance, required);
 }
 
 void WalkExtremes::see(double time, const Vec3& tool, const MeasuredArm& arm, const JointVector& q,
@@ -78,6 +78,10 @@ void WalkExtremes::see(double time, const Vec3& tool, const MeasuredArm& arm, co
   const HoldingLoad load = holding_load(loaded_, arm.poses, efforts_, gravity_);
   if (!(load.share <= walk.load.value)) walk.loaded = load.joint;
   take_larger({time, tool, load.share}, walk.load);
+}
+
+void WalkExtremes::finish(PathWalk& walk) const {
+  if (cell_) walk.too_near = cell_->too_near();
 }
 
 }  // namespace armtune::internal

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "core/control/measured_arm.hpp"
 #include "sim/cell/clearance_watch.hpp"
@@ -37,6 +38,7 @@ struct PathWalk {
                  kUnseen};  ///< smallest distance of the tool from lines joining the first n - 2 joints [m]
   /// Smallest distances of the arm from itself and its cell; infinite in a scenario without a cell.
   LeastClearances nearest;
+  std::vector<LeastClearance> too_near;  ///< pairs nearer than required of a walk, each at its nearest
   WalkPlace load;  ///< largest holding torque of a joint, as a fraction of its effort limit
   double largest_manipulability = 0.0;
   int joint = 0;       ///< index of the joint with the smallest margin
@@ -55,13 +57,17 @@ void take_smaller(const WalkPlace& place, WalkPlace& found);
 /// Updates the extremes of a walk in each of its steps.
 class WalkExtremes {
  public:
-  /// off_path: distance from the path [m] above which the tool counts as off it. The scenario's robot must
+  /// off_path: distance from the path [m] above which the tool counts as off it. required: distances of
+  /// scenario.clearance's pairs below which they are too near [m]; empty: none. The scenario's robot must
   /// outlive this object.
-  WalkExtremes(const Scenario& scenario, double off_path);
+  WalkExtremes(const Scenario& scenario, double off_path, const std::vector<double>& required);
 
   /// Updates `walk` with one step. arm: kinematics at joint positions q (n), reached at `time` [s]. tool:
   /// desired position on the path at that time [m].
   void see(double time, const Vec3& tool, const MeasuredArm& arm, const JointVector& q, PathWalk& walk);
+
+  /// Adds to `walk` what is known at its end: the pairs that came too near.
+  void finish(PathWalk& walk) const;
 
  private:
   const RobotModel& robot_;

@@ -38,14 +38,16 @@ ParsedTable read_table(const UserTable& waypoints) {
   for (const std::string& column : table.header()) {
     if (column == "time" || is_one_of(kPlace, column) || is_one_of(kTurn, column)) continue;
     throw InputError(
-        InputPlace{path},
+        at_line(path, 1, column),
         fmt::format("column {} is not one of time, x, y, z or, for the tool's orientation, qw, qx, qy, "
                     "qz; take it out",
-                    shown(column)));
+                    shown(column)))
+        .with_value(column, "one of: time, x, y, z, qw, qx, qy, qz");
   }
   if (table.rows() > kMostWaypoints)
     throw InputError(InputPlace{path}, fmt::format("{} rows; a path may have at most {}: use fewer rows",
-                                                   table.rows(), kMostWaypoints));
+                                                   table.rows(), kMostWaypoints))
+        .with_value(std::to_string(table.rows()), fmt::format("at most {} rows", kMostWaypoints));
   return named;
 }
 
@@ -98,11 +100,12 @@ PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {
   for (const std::string& column : table.header()) {
     if (of_poses || !is_one_of(kTurn, column)) continue;
     throw InputError(
-        InputPlace{path},
+        at_line(path, 1, column),
         fmt::format(
             "column {} gives the tool's orientation, which is not used here; if the file is the tool's path, add "
             "'orientation: {{waypoints: ...}}' with the same file, otherwise remove the column",
-            column));
+            column))
+        .with_value(column, "one of: time, x, y, z");
   }
   const std::vector<double> time = rising_seconds(named, waypoints);
   std::vector<Vec3> positions;
@@ -117,7 +120,8 @@ PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {
         fmt::format(
             "the path has {:.3g} m/s and {:.3g} m/s^2 here; at most {:.0e} of each is allowed: leave more "
             "time between the rows",
-            knots[k].velocity.norm(), knots[k].acceleration.norm(), kFastest));
+            knots[k].velocity.norm(), knots[k].acceleration.norm(), kFastest))
+        .with_value({}, fmt::format("at most {:.0e} m/s and m/s^2", kFastest));
   }
   return {time, knots, false};
 }
@@ -134,7 +138,8 @@ ToolOrientation load_orientations(const UserTable& waypoints) {
     const double length = q.coeffs().stableNorm();
     if (!(std::abs(length - 1.0) <= kUnit)) {
       throw InputError(at_line(path, line_of(orientations.size())),
-                       fmt::format("the quaternion has length {:.6g}; it must have length 1", length));
+                       fmt::format("the quaternion has length {:.6g}; it must have length 1", length))
+          .with_value(fmt::format("{:.6g}", length), "a quaternion of length 1");
     }
     orientations.push_back(q.normalized());
   }
@@ -146,7 +151,9 @@ ToolOrientation load_orientations(const UserTable& waypoints) {
           at_line(path, line_of(k)),
           fmt::format("the tool has turned by {:.3g} rad since the first row; at most {:.3g} rad is "
                       "allowed: turn it back in between",
-                      knot.position.norm(), kMostTurn));
+                      knot.position.norm(), kMostTurn))
+          .with_value(fmt::format("{:.3g}", knot.position.norm()),
+                      fmt::format("at most {:.3g} rad", kMostTurn));
     }
     if (!(knot.velocity.norm() <= kFastest && knot.acceleration.norm() <= kFastest)) {
       throw InputError(
@@ -154,7 +161,8 @@ ToolOrientation load_orientations(const UserTable& waypoints) {
           fmt::format(
               "the rotation has {:.3g} rad/s and {:.3g} rad/s^2 here; at most {:.0e} of each is allowed: "
               "leave more time between the rows",
-              knot.velocity.norm(), knot.acceleration.norm(), kFastest));
+              knot.velocity.norm(), knot.acceleration.norm(), kFastest))
+          .with_value({}, fmt::format("at most {:.0e} rad/s and rad/s^2", kFastest));
     }
   }
   return turning;

@@ -20,7 +20,7 @@ inline constexpr std::size_t kMaxBytes = 4 * 1024 * 1024;  ///< largest text [by
 inline constexpr std::size_t kMaxItems = 200'000;
 inline constexpr std::size_t kMaxKeys = 100'000;    ///< most keys of one map
 inline constexpr std::size_t kMaxDepth = 64;        ///< deepest nesting of lists and maps
-inline constexpr std::size_t kMaxKeyBytes = 4096;   ///< longest key [byte]; run.yaml has paths as keys
+inline constexpr std::size_t kMaxKeyBytes = 4096;   ///< longest key [byte]
 inline constexpr std::size_t kMaxPathBytes = 8192;  ///< longest key path [byte]
 /// Largest total length of all key paths [byte]. Every value stores its own path. The limit grows as
 /// kMaxItems does.

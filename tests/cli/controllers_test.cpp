@@ -190,9 +190,17 @@ TEST(Controllers, TheStiffnessIsTunedUpToTheGivenBound) {
   EXPECT_THAT(test::read_text(files / "run/study.yaml"), HasSubstr("upper: 30000"));
   const Finished resumed = run_program({"tune", "--resume", files / "run", "--workers", "1"});
   EXPECT_THAT(resumed.exit_code, testing::AnyOf(0, 3)) << resumed.err;
-  const Finished wrong = run_program({"tune", files.path(), "--max-stiffness", "5"});
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.err, AllOf(HasSubstr("--max-stiffness"), HasSubstr("adaptive")));
+  const Finished front =
+      run_program({"pareto", files.path(), "--controller", "impedance", "--max-stiffness", "30000", "9000",
+                   "--max-evaluations", "8", "--levels", "2", "--workers", "1", "--out", files / "front"});
+  ASSERT_THAT(front.exit_code, testing::AnyOf(0, 3)) << front.err;
+  EXPECT_THAT(test::read_text(files / "front/study.yaml"), HasSubstr("upper: 30000"));
+  EXPECT_THAT(front.out, testing::Not(HasSubstr("note: impedance_k")));
+  for (const char* command : {"tune", "pareto"}) {
+    const Finished wrong = run_program({command, files.path(), "--max-stiffness", "5"});
+    EXPECT_EQ(wrong.exit_code, 2) << command;
+    EXPECT_THAT(wrong.err, AllOf(HasSubstr("--max-stiffness"), HasSubstr("adaptive"))) << command;
+  }
 }
 
 }  // namespace controllers_test

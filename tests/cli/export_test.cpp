@@ -9,6 +9,7 @@
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tests/cli/support/program.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
@@ -59,7 +60,7 @@ TEST_F(ExportCommand, OfATunedRunSaysWhereItsGainsCameFromAndReadsBackToTheBit) 
                                 testing::Not(HasSubstr("# objective"))));
   };
   without_figures({"export", run + "/start"}, "not apply to these gains, which are from another file");
-  std::string urdf = test::read_text(ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf");
+  std::string urdf = test::read_text(test::source_dir() + "/sim/robots/ur10.urdf");
   urdf.replace(urdf.find("<mass value=\""), 13, "<mass value=\"1");
   without_figures({"export", run, "--robot", files_.write("heavier.urdf", urdf)},
                   "not apply to these gains on this arm");

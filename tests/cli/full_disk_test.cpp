@@ -49,17 +49,17 @@ TEST_F(FullOutput, LosesNoneOfTheResults) {
   }
   std::vector<std::string> simulate = {"simulate", "--gains", long_name};
   simulate.insert(simulate.begin() + 1, scenarios.begin(), scenarios.end());
-  expect_results(simulate, {"errors.csv", "columns.csv", "gains.yaml", "run.yaml", "verdict.yaml"});
+  expect_results(simulate, {"errors.csv", "columns.csv", "gains.yaml", "run.json", "verdict.yaml"});
 
   std::vector<std::string> compare = {"compare", long_name, files_ / "gains.yaml", "--all-metrics",
                                       "--scenarios"};
   compare.insert(compare.end(), scenarios.begin(), scenarios.end());
-  expect_results(compare, {"comparison.csv", "errors_gains.csv", "run.yaml", "verdict.yaml"});
+  expect_results(compare, {"comparison.csv", "errors_gains.csv", "run.json", "verdict.yaml"});
 
   std::vector<std::string> robustness = {"robustness", files_ / "gains.yaml", "--samples", "2",
                                          "--scenarios"};
   robustness.insert(robustness.end(), scenarios.begin(), scenarios.end());
-  expect_results(robustness, {"samples.csv", "summary.csv", "run.yaml", "verdict.yaml"});
+  expect_results(robustness, {"samples.csv", "summary.csv", "run.json", "verdict.yaml"});
 }
 
 TEST_F(FullOutput, OfASearchLosesNoneEither) {
@@ -67,7 +67,7 @@ TEST_F(FullOutput, OfASearchLosesNoneEither) {
   const Finished done = run_unprinted({"tune", files_.path(), "--out", run, "--workers", "2"}, files_ / "");
   EXPECT_EQ(done.exit_code, 1) << done.err;
   for (const char* file :
-       {"gains.yaml", "errors.csv", "run.yaml", "margins.csv", "sensitivity.csv", "verdict.yaml"})
+       {"gains.yaml", "errors.csv", "run.json", "margins.csv", "sensitivity.csv", "verdict.yaml"})
     EXPECT_TRUE(fs::exists(run + "/" + file)) << file;
 }
 
@@ -75,22 +75,22 @@ TEST_F(FullOutput, OfAnalysesOfARunLosesNone) {
   const std::string run = files_ / "run";
   ASSERT_THAT(test::run_program({"tune", files_.path(), "--out", run, "--no-analysis"}).exit_code,
               testing::AnyOf(0, 3));
-  expect_results({"margins", run}, {"margins.csv", "run.yaml"});
-  expect_results({"sensitivity", run}, {"sensitivity.csv", "reduced_study.yaml", "run.yaml"});
+  expect_results({"margins", run}, {"margins.csv", "run.json"});
+  expect_results({"sensitivity", run}, {"sensitivity.csv", "reduced_study.yaml", "run.json"});
   expect_results({"yardstick", run, "--knots", "40"}, {""});
   expect_results({"export", run}, {""});
   expect_results({"report", run}, {""});
 }
 
 TEST_F(FullOutput, OfPlansLogsAndTasksLosesNone) {
-  expect_results({"plan", "ur10_move", "--knots", "12"}, {"trajectory.csv", "limits.csv", "run.yaml"});
+  expect_results({"plan", "ur10_move", "--knots", "12"}, {"trajectory.csv", "limits.csv", "run.json"});
   expect_results({"excite", "ur10", "--scenario", "moving_target", "--evaluations", "20"},
-                 {"excitation.yaml", "trajectory.csv", "log_moving_target.csv", "run.yaml"});
+                 {"excitation.yaml", "trajectory.csv", "log_moving_target.csv", "run.json"});
   expect_results({"identify", files_ / "out_excite/log_moving_target.csv", "--robot", "ur10", "--accept"},
-                 {"theta.yaml", "base_parameters.csv", "robot.urdf", "robot.yaml", "run.yaml"});
+                 {"theta.yaml", "base_parameters.csv", "robot.urdf", "robot.yaml", "run.json"});
   expect_results({"pareto", files_.path(), "--criteria", "objective", "effort_rate/rms", "--levels", "2",
                   "--max-evaluations", "6"},
-                 {"pareto.csv", "points/01.yaml", "study.yaml", "run.yaml"});
+                 {"pareto.csv", "points/01.yaml", "study.yaml", "run.json"});
 }
 
 // Where nothing could be written nothing was found either, as far as a script can tell.

@@ -6,6 +6,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/tuner/run/support/records.hpp"
 
 namespace armtune::internal {
 namespace identify_test {
@@ -22,7 +23,10 @@ TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
                    "300", "--out", excite, "--scenario", "moving_target"});
   ASSERT_EQ(excited.exit_code, 0) << excited.err;
   EXPECT_THAT(excited.out, HasSubstr("condition number"));
-  for (const char* file : {"excitation.yaml", "trajectory.csv", "log_moving_target.csv", "run.yaml"}) {
+  EXPECT_THAT(excited.out,
+              HasSubstr("Smallest distances along the trajectory, computed every 2 ms: between links"));
+  EXPECT_THAT(excited.out, HasSubstr("Not checked: contact with the surroundings"));
+  for (const char* file : {"excitation.yaml", "trajectory.csv", "log_moving_target.csv", "run.json"}) {
     EXPECT_TRUE(std::filesystem::exists(excite + "/" + file)) << file;
   }
 
@@ -34,10 +38,16 @@ TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
   const auto table = test::read_csv(found + "/base_parameters.csv");
   EXPECT_EQ(table.rows.size(), 52U);
   for (const std::string& run : {excite, found}) {
-    EXPECT_THAT(test::read_text(run + "/run.yaml"),
-                testing::AllOf(HasSubstr("ur10.yaml"), HasSubstr("ur10.urdf")))
-        << "the robot YAML has figures of the model, too";
+    const RunRecord record = find_run_record(run).value();
+    for (const char* file : {"bundled robots/ur10.yaml", "bundled robots/ur10.urdf"})
+      EXPECT_NE(test::input_in(record, file).hash, "") << "the robot YAML has figures of the model, too";
   }
+  EXPECT_TRUE(find_run_record(excite)->excitation.value().designed);
+  const IdentificationFacts facts = find_run_record(found)->identification.value();
+  EXPECT_EQ(facts.base_parameters, 52);
+  EXPECT_EQ(facts.torque.size(), 6U);
+  for (const JointTorqueFact& torque : facts.torque)
+    EXPECT_LT(torque.fitted.value(), torque.rms.value()) << torque.joint << ": theta explains the torque";
 
   // A log with every torque turned leaves nothing behind unless it is asked for.
   const std::string map = folder.write(
@@ -58,7 +68,7 @@ TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
                                          "--columns", map, "--accept", "--out", turned});
   EXPECT_EQ(accepted.exit_code, 3);
   EXPECT_TRUE(std::filesystem::exists(turned + "/theta.yaml"));
-  EXPECT_THAT(test::read_text(turned + "/run.yaml"), HasSubstr("accepted_although"));
+  EXPECT_FALSE(find_run_record(turned)->identification.value().accepted_although.empty());
   EXPECT_THAT(test::read_text(turned + "/theta.yaml"), HasSubstr("wrong sign"));
 
   // The result is a robot and a start for the controller.

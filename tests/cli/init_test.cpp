@@ -3,10 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <regex>
 #include <sstream>
 
+#include "core/control/laws/first_gains.hpp"
+#include "sim/scenario/scenario.hpp"
 #include "tests/cli/support/program.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
@@ -17,7 +23,7 @@ using test::run_program;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string kExample = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/";
+const std::string kExample = test::source_dir() + "/examples/joint_trajectory/";
 
 /// The words of `command` for the example, with more behind them.
 std::vector<std::string> of_example(const std::string& command, const std::vector<std::string>& more) {
@@ -136,7 +142,7 @@ TEST(OwnFiles, ARunWithAMapOfGainsKeepsItAndTheFileThatItNames) {
     all.insert(all.end(), {"--out", run});
     const Finished done = run_program(all);
     EXPECT_TRUE(done.exit_code == 0 || done.exit_code == 3) << words[0] << ": " << done.err;
-    EXPECT_THAT(test::read_text(run + "/run.yaml"), AllOf(HasSubstr("map.yaml"), HasSubstr("numbers.yaml")))
+    EXPECT_THAT(test::read_text(run + "/run.json"), AllOf(HasSubstr("map.yaml"), HasSubstr("numbers.yaml")))
         << words[0];
   }
 }
@@ -162,6 +168,70 @@ TEST(OwnFiles, AStreamOfPositionsIsTunedWithoutAParameterFile) {
   EXPECT_THAT(tuned.out, AllOf(HasSubstr("Simulation checks: passed"), HasSubstr("position_streaming.md")));
   EXPECT_THAT(test::read_text(run + "/gains.yaml"), HasSubstr("servo_gain: "));
   EXPECT_THAT(run_program({"tune", "--resume", run}).out, HasSubstr("this run is finished"));
+}
+
+/// The joint that oscillates, its frequency [Hz], and since when [s].
+struct Shaking {
+  std::string joint;
+  double frequency = 0.0;
+  double since = -1.0;
+};
+
+/// Reads it from a text that contains `pattern`, whose groups are joint, frequency and time.
+Shaking shaking_in(const std::string& text, const char* pattern) {
+  std::smatch found;
+  if (!std::regex_search(text, found, std::regex(pattern))) return {};
+  return {found[1], std::stod(found[2]), std::stod(found[3])};
+}
+
+// The wrist has the published gains of a package for simulators. For the inertia that it moves, the joint is
+// a spring of 500 N m/rad with too little damping.
+TEST(OwnFiles, GainsThatShakeAreDiagnosedAndReplacedByOnesThatPass) {
+  const test::TemporaryFolder folder;
+  std::string text = test::read_text(kExample + "ros2_controllers.yaml");
+  const std::string wrist = "wrist_1_joint: {p: 300.0, d: 10.0";
+  ASSERT_NE(text.find(wrist), std::string::npos);
+  text.replace(text.find(wrist), wrist.size(), "wrist_1_joint: {p: 500.0, d: 1.0");
+  const std::string shaky = folder.write("shaky.yaml", text);
+  const std::vector<std::string> inputs = {"--robot", "ur5e",         "--controllers",
+                                           shaky,     "--trajectory", kExample + "moves.csv"};
+  const auto with = [&inputs](const std::string& command, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {command};
+    words.insert(words.end(), inputs.begin(), inputs.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words);
+  };
+  ASSERT_EQ(with("init", {"--out", folder / "study"}).exit_code, 0);
+  const std::string scenario = folder / "study/moves.yaml";
+  const auto simulate = [&](const std::string& gains, const std::string& out) {
+    return run_program({"simulate", scenario, "--gains", gains, "--engine", "native", "--out", out});
+  };
+  EXPECT_EQ(simulate(shaky, folder / "before").exit_code, 3);
+  std::smatch seen;
+  const std::string verdict = test::read_text(folder / "before/verdict.yaml");
+  const std::regex oscillation(
+      "check: \"oscillation\", passed: false, [^\n]*joint: \"(\\w+)\", time: ([0-9.e-]+), [^\n]* at ([0-9.]+) Hz");
+  ASSERT_TRUE(std::regex_search(verdict, seen, oscillation)) << verdict;
+  EXPECT_EQ(seen[1], "wrist_1_joint");
+  // An undamped joint oscillates at sqrt(p / inertia). Delay and the motion of other joints change that a
+  // bit.
+  const Scenario moves = load_scenario(scenario);
+  const double inertia = joint_inertia(*moves.robot, moves.start_position)[3];
+  const double expected = std::sqrt(500.0 / inertia) / (2.0 * std::numbers::pi);
+  EXPECT_NEAR(std::stod(seen[3]), expected, 0.3 * expected);
+
+  const Finished tuned =
+      with("tune", {"--max-evaluations", "12", "--no-analysis", "--workers", "2", "--out", folder / "run"});
+  ASSERT_EQ(tuned.exit_code, 0) << tuned.err << tuned.out;
+  const Shaking said =
+      shaking_in(tuned.err, "(\\w+) oscillates: [^\n]* at ([0-9.]+) Hz, from ([0-9.]+) s on");
+  EXPECT_EQ(said.joint, "wrist_1_joint") << tuned.err;
+  EXPECT_EQ(said.frequency, std::stod(seen[3])) << "as simulate says";
+  EXPECT_NEAR(said.since, std::stod(seen[2]), 1e-3);
+  const Finished after = simulate(folder / "run/gains.yaml", folder / "after");
+  EXPECT_EQ(after.exit_code, 0) << after.out;
+  EXPECT_THAT(test::read_text(folder / "after/verdict.yaml"),
+              HasSubstr("check: \"oscillation\", passed: true"));
 }
 
 TEST(OwnFiles, OptionsThatMeanNothingTogetherAreRefused) {

@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "sim/yaml/document.hpp"
 #include "tests/cli/support/program.hpp"
+#include "tests/tuner/run/support/records.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/run/file_hash.hpp"
 
@@ -50,20 +50,19 @@ TEST(Inputs, EditedDuringARunAreToldOfAndKeptAsTheyWereRead) {
   const Finished done = program.wait();
   ASSERT_THAT(done.exit_code, testing::AnyOf(0, 3)) << done.err;
 
-  const yaml::Node told = yaml::parse_file(run + "/run.yaml");
-  ASSERT_NE(told.find("copies"), nullptr);
+  const RunRecord told = find_run_record(run).value();
   const std::string journal = test::read_text(run + "/journal.txt");
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    EXPECT_EQ(told.find("inputs")->find(inputs[i])->as_string(), hashes[i]) << inputs[i];
-    const std::string copy = told.find("copies")->find(inputs[i])->as_string();
-    EXPECT_EQ(test::read_text(run + "/" + copy), texts[i]);
+    const InputFact input = test::input_in(told, inputs[i]);
+    EXPECT_EQ(input.hash, hashes[i]) << inputs[i];
+    EXPECT_EQ(test::read_text(run + "/" + input.copy), texts[i]);
   }
   for (const std::size_t scenario : {0U, 1U}) EXPECT_THAT(journal, HasSubstr(hashes[scenario]));
   // The robot's files are kept as well.
-  EXPECT_NE(told.find("copies")->find("bundled robots/ur10.urdf"), nullptr);
-  for (const auto& [file, copy] : told.find("copies")->entries()) {
-    EXPECT_EQ(hash_of_file(run + "/" + copy.as_string()), told.find("inputs")->find(file)->as_string())
-        << file;
+  EXPECT_NE(test::input_in(told, "bundled robots/ur10.urdf").copy, "");
+  for (const InputFact& input : told.inputs) {
+    if (input.copy.empty()) continue;
+    EXPECT_EQ(hash_of_file(run + "/" + input.copy), input.hash) << input.path;
   }
 }
 
@@ -83,8 +82,7 @@ TEST(Inputs, EditedAfterTheyWereReadAreToldOfAsTheyWereRead) {
   ASSERT_TRUE(program.running());
   const Finished done = program.wait();
   ASSERT_EQ(done.exit_code, 0) << done.err;
-  const yaml::Node told = yaml::parse_file(out + "/run.yaml");
-  EXPECT_EQ(told.find("inputs")->find(evaluations)->as_string(), before);
+  EXPECT_EQ(test::input_in(find_run_record(out).value(), evaluations).hash, before);
 }
 
 TEST(Inputs, ThatChangedSinceTheRunAreRefusedByItsAnalyses) {
@@ -109,8 +107,8 @@ TEST(Inputs, FromAPipeAreReadOnceAndHashed) {
                                       {"/bin/sh", "-c", from_pipe, "sh"})
                             .wait();
   ASSERT_EQ(done.exit_code, 0) << done.err;
-  const yaml::Node told = yaml::parse_file(files / "run/run.yaml");
-  EXPECT_EQ(told.find("inputs")->find("/dev/stdin")->as_string(), hash_of_file(files / "gains.yaml"));
+  EXPECT_EQ(test::input_in(find_run_record(files / "run").value(), "/dev/stdin").hash,
+            hash_of_file(files / "gains.yaml"));
 }
 
 TEST(Inputs, OneInterruptEndsTheWaitForAPipe) {

@@ -40,13 +40,13 @@ TEST_F(MarginsProgram, WritesTheSameFileWithAnyNumberOfWorkers) {
   EXPECT_EQ(one.err, "");
   EXPECT_THAT(one.out,
               AllOf(HasSubstr("torque_delay [periods]"), HasSubstr("five_seconds"),
-                    HasSubstr("the closed loop fails at gain_factor "), HasSubstr("margins.csv, run.yaml")));
+                    HasSubstr("the closed loop fails at gain_factor "), HasSubstr("margins.csv, run.json")));
   const Finished two = margins({"--out", folder_ / "two", "--workers", "2"});
   ASSERT_EQ(two.exit_code, 0) << two.err;
   const std::string csv = test::read_text(folder_ / "one/margins.csv");
   EXPECT_THAT(csv, HasSubstr("\ncontrol_rate,Hz,all,500,"));
   EXPECT_EQ(test::read_text(folder_ / "two/margins.csv"), csv);
-  EXPECT_THAT(test::read_text(folder_ / "one/run.yaml"),
+  EXPECT_THAT(test::read_text(folder_ / "one/run.json"),
               AllOf(HasSubstr("five_seconds.yaml"), HasSubstr("gains.yaml")));
 }
 

@@ -14,6 +14,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/cli/set_labels.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal {
 namespace names_test {
@@ -149,16 +150,17 @@ TEST(Names, OfComparedSetsGiveEachItsOwnFilesAndColumns) {
   }
 }
 
-TEST(Names, InAHostileRunYamlStayInTheCommentsOfWhatIsExported) {
+TEST(Names, InAHostileRecordStayInTheCommentsOfWhatIsExported) {
   const ShortStudy files;
   ASSERT_EQ(
       run_program({"simulate", files / "short.yaml", "--gains", files / "gains.yaml", "--out", files / "run"})
           .exit_code,
       0);
-  std::string run = test::read_text(files / "run/run.yaml");
-  run += "study: \"x\\u2028injected: 1\\u0085injected: 2\\r\\n\\ninjected: 3\\e[31m\\0\"\n";
-  run.replace(run.find("inputs:\n"), 8, "inputs:\n  \"a\\u2029injected: 4\": \"b\\rinjected: 5\"\n");
-  files.write("run/run.yaml", run);
+  RunRecord run = find_run_record(files / "run").value();
+  run.search.emplace().study =
+      std::string("x\xE2\x80\xA8injected: 1\xC2\x85injected: 2\r\n\ninjected: 3\x1b[31m") + '\0';
+  run.inputs.push_back({"a\xE2\x80\xA9injected: 4", "b\rinjected: 5", ""});
+  files.write("run/run.json", run_record_json(run));
   const std::vector<std::string> robot = {"--robot", "ur10"};
   for (const char* format : {"yaml", "ros1", "ros2"}) {
     const Finished done = run_program({"export", files / "run", "--robot", "ur10", "--format", format});

@@ -4,6 +4,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal {
 namespace pareto_test {
@@ -43,7 +44,11 @@ TEST(ParetoCommand, LeavesAFrontWhosePointsTheOtherCommandsTake) {
   EXPECT_EQ(journal.at(std::stoul(number), "objective"), csv.at(0, "objective"));
   EXPECT_EQ(journal.at(std::stoul(number), "criterion/effort_rate/rms"), csv.at(0, "effort_rate/rms"));
   EXPECT_THAT(test::read_text(folder + "/columns.csv"), HasSubstr("pareto.csv,dominates_start,"));
-  EXPECT_THAT(test::read_text(folder + "/run.yaml"), HasSubstr("verified: \"true\""));
+  const RunRecord run = find_run_record(folder).value();
+  ASSERT_TRUE(run.front && run.search);
+  EXPECT_TRUE(run.front->verified);
+  EXPECT_EQ(run.front->points + 1, static_cast<long>(csv.rows.size())) << "and the start";
+  EXPECT_EQ(run.search->evaluations, 24);
 
   const Finished again = run_program({"simulate", files() / "short.yaml", files() / "short_realistic.yaml",
                                       "--gains", folder + "/points/01.yaml", "--out", files() / "again"});
@@ -63,7 +68,7 @@ TEST(ParetoCommand, SaysThatItsTimeWasUsedUp) {
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_THAT(done.out, testing::AllOf(HasSubstr("budget: 18 evaluations or 1e-06 minutes"),
                                        HasSubstr("max_minutes was reached after 1 evaluations")));
-  EXPECT_THAT(test::read_text(folder + "/run.yaml"), HasSubstr("ended: \"time used up\""));
+  EXPECT_EQ(find_run_record(folder).value().search.value().ended, SearchEnd::kTime);
 }
 
 TEST(ParetoCommand, TradesOffWithAnotherController) {

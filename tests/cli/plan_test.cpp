@@ -47,7 +47,7 @@ TEST(Plan, WritesATrajectoryAndSaysWhatHoldsItBack) {
                     HasSubstr("between the knots: torque of"), HasSubstr("constraint violation"),
                     HasSubstr("KKT residual")));
   for (const char* file : {"trajectory.csv", "motion.csv", "limits.csv", "joint_trajectory.yaml", "task.yaml",
-                           "columns.csv", "run.yaml", "scene.json"}) {
+                           "columns.csv", "run.json", "scene.json"}) {
     EXPECT_TRUE(std::filesystem::exists(out + "/" + file)) << file;
   }
   EXPECT_EQ(test::read_csv(out + "/trajectory.csv").rows.size(), 61U);
@@ -90,7 +90,7 @@ TEST(Plan, LeavesAScenarioThatFollowsIt) {
   EXPECT_EQ(rollout.at(0, "time"), "8");
   EXPECT_EQ(rollout.at(0, "state"), "4");
   // What it was made from is on record: also the plan.
-  EXPECT_THAT(test::read_text(folder / "run/run.yaml"), HasSubstr("trajectory.csv"));
+  EXPECT_THAT(test::read_text(folder / "run/run.json"), HasSubstr("trajectory.csv"));
 
   // A plan that is not one any more is refused by line and column.
   std::string plan = test::read_text(folder / "plan/trajectory.csv");
@@ -179,7 +179,8 @@ TEST(Plan, FromARolloutItIsAmongTheInputsAndFoundFromTheFolderOfThePlan) {
                                         "start: {rollout: run/rollout_moving_target.csv}\n");
   const Finished planned = run_program({"plan", task, "--out", folder / "plan"});
   ASSERT_EQ(planned.exit_code, 0) << planned.err << planned.out;
-  EXPECT_THAT(test::read_text(folder / "plan/run.yaml"), HasSubstr("rollout_moving_target.csv\": "));
+  EXPECT_THAT(test::read_text(folder / "plan/run.json"),
+              HasSubstr("rollout_moving_target.csv\", \"hash\": "));
   const Finished again = run_program({"plan", folder / "plan/task.yaml", "--out", folder / "again"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(test::read_text(folder / "again/trajectory.csv"),

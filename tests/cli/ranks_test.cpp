@@ -14,6 +14,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal {
 namespace ranks_test {
@@ -28,16 +29,12 @@ using testing::Not;
 using Strings = std::vector<std::string>;
 using Clock = std::chrono::steady_clock;
 
-#ifdef ARMTUNE_MPIEXEC
-constexpr const char* kMpiexec = ARMTUNE_MPIEXEC;
-#else
-constexpr const char* kMpiexec = nullptr;
-#endif
+const std::string kMpiexec = test::mpiexec_path();
 
 class Ranks : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!kMpiexec) GTEST_SKIP() << "built without MPI";
+    if (kMpiexec.empty()) GTEST_SKIP() << "built without MPI";
     // Containers run tests as root, which mpirun refuses unless told otherwise.
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
@@ -58,7 +55,7 @@ class Ranks : public ::testing::Test {
       for (const std::string& word : Strings{"-n", "1", "sh", "-c", script, "sh"}) all.push_back(word);
     };
     add_rank(0);
-    all.emplace_back(ARMTUNE_PROGRAM);
+    all.emplace_back(test::program_path());
     all.insert(all.end(), first.begin(), first.end());
     all.emplace_back(":");
     add_rank(1);
@@ -147,8 +144,7 @@ TEST_F(Ranks, TuneTheSameByteForByteAsThreads) {
     ASSERT_EQ(done.exit_code, 0) << done.err << done.out;
     EXPECT_EQ(done.out.find("study study:"), done.out.rfind("study study:")) << "only one rank speaks";
     if (ranks == 1) continue;  // alone it is one process with threads
-    EXPECT_THAT(test::read_text(files / ("ranks" + std::to_string(ranks)) + "/run.yaml"),
-                HasSubstr("workers: " + std::to_string(ranks) + "\n"));
+    EXPECT_EQ(find_run_record(files / ("ranks" + std::to_string(ranks)))->workers, ranks);
   }
   const std::string expected = without_time(files / "threads1/evaluations.csv");
   ASSERT_FALSE(expected.empty());
@@ -302,7 +298,7 @@ TEST_F(Ranks, AStarvedRankIsNamedOnceAndWaitedFor) {
 
 TEST_F(Ranks, ARankThatDoesNotStartIsSaid) {
   const Strings another_program = {
-      kMpiexec, "--oversubscribe", "-n", "1", ARMTUNE_PROGRAM, "tune", ":", "-n", "1", "sh",
+      kMpiexec, "--oversubscribe", "-n", "1", test::program_path(), "tune", ":", "-n", "1", "sh",
       "-c",     "exec sleep 60"};
   Program running({}, folder_.path(), another_program);
   EXPECT_TRUE(wait_for_error(running, "waited for ", std::chrono::seconds(30)));
@@ -351,7 +347,7 @@ TEST_F(Ranks, ARankWithAnotherStudyOrNoneIsRefused) {
   there.write("short.yaml", "base: moving_target\nduration: 7\n");
   const auto both = [&](const std::string& second) {
     const Strings words = tune("study.yaml", here / "run", {});
-    Strings all = {kMpiexec, "--oversubscribe", "-n", "1", "--wdir", here / ".", ARMTUNE_PROGRAM};
+    Strings all = {kMpiexec, "--oversubscribe", "-n", "1", "--wdir", here / ".", test::program_path()};
     all.insert(all.end(), words.begin(), words.end());
     for (const std::string& word : Strings{":", "-n", "1", "--wdir", second}) all.push_back(word);
     return Program(words, folder_.path(), all).wait();

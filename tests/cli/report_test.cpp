@@ -154,7 +154,7 @@ TEST_F(Report, ThatCannotBeWrittenDoesNotMakeTheRunFail) {
   const Finished finished = running.wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_THAT(finished.err, testing::AllOf(HasSubstr("the run is finished"), HasSubstr("report.html")));
-  EXPECT_TRUE(fs::exists(files_ / "run/run.yaml"));
+  EXPECT_TRUE(fs::exists(files_ / "run/run.json"));
   EXPECT_THAT(finished.out, testing::AllOf(HasSubstr("scene.json"), testing::Not(HasSubstr("report.html"))));
 }
 

@@ -87,11 +87,11 @@ TEST(Resume, ATuningKilledAgainAndAgainEndsAsIfItHadNotBeen) {
   EXPECT_EQ(finished_in(files / "killed/journal.txt"), lines_of(files / "whole/evaluations.csv") - 1)
       << "no finished evaluation was repeated";
 
-  const std::string before = test::read_text(files / "killed/run.yaml");
+  const std::string before = test::read_text(files / "killed/run.json");
   const Finished again = run_program(resume);
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_THAT(again.out, AllOf(HasSubstr("there is nothing to resume"), HasSubstr("--warm-start")));
-  EXPECT_EQ(test::read_text(files / "killed/run.yaml"), before);
+  EXPECT_EQ(test::read_text(files / "killed/run.json"), before);
 }
 
 TEST(Resume, ANativeSearchKilledInItsLastStepsEndsAsIfItHadNotBeen) {

@@ -47,7 +47,7 @@ class RunFiles : public testing::Test {
 
   const std::vector<Reader> readers_ = {
       {{"export", "RUN"}, "gains.yaml"},
-      {{"export", "RUN"}, "run.yaml"},
+      {{"export", "RUN"}, "run.json"},
       {{"export", "RUN"}, "errors.csv"},
       {{"export", "RUN"}, "margins.csv"},
       {{"compare", "published", "RUN", "--scenarios", "moving_target"}, "gains.yaml"},
@@ -57,7 +57,7 @@ class RunFiles : public testing::Test {
       {{"sensitivity", "RUN"}, "gains.yaml"},
       {{"sensitivity", "RUN"}, "evaluations.csv"},
       {{"yardstick", "RUN"}, "gains.yaml"},
-      {{"yardstick", "RUN"}, "run.yaml"},
+      {{"yardstick", "RUN"}, "run.json"},
       {{"yardstick", "RUN"}, "rollout_short.csv"},
       {{"tune", "--resume", "RUN"}, "journal.txt"},
       {{"tune", "STUDY", "--warm-start", "RUN", "--out", "warm"}, "gains.yaml"}};

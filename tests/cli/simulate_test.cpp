@@ -10,10 +10,13 @@
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/document.hpp"
 #include "tests/cli/support/program.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/report/report.hpp"
+#include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal {
 namespace simulate_test {
@@ -36,9 +39,9 @@ TEST(Simulate, AndTuneWarnOfADoubtfulArm) {
   const ShortStudy files;
   files.write(
       "light.yaml",
-      "urdf: " ARMTUNE_SOURCE_DIR
-      "/sim/robots/ur10.urdf\nrotor_inertia: [1, 1, 1, 0.2, 0.2, 0.2]\ninertia:\n  upper_arm_link: {mass: "
-      "0.01, center: [0, 0, 0.2], moments: [1.0e-4, 0, 0, 1.0e-4, 0, 1.0e-5]}\n");
+      "urdf: " + test::source_dir() +
+          "/sim/robots/ur10.urdf\nrotor_inertia: [1, 1, 1, 0.2, 0.2, 0.2]\ninertia:\n  upper_arm_link: {mass: "
+          "0.01, center: [0, 0, 0.2], moments: [1.0e-4, 0, 0, 1.0e-4, 0, 1.0e-5]}\n");
   const std::string own = files.write("own.yaml", "base: short.yaml\nrobot: light.yaml\n");
   const Finished simulated = run_program({"simulate", own, "--gains", files / "gains.yaml"});
   EXPECT_THAT(simulated.err, HasSubstr("armtune: warning: ur10: upper_arm_link (0.01 kg)"));
@@ -58,7 +61,7 @@ TEST(Simulate, WritesTheFilesItNames) {
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(done.err, "") << "quiet where there is no terminal";
   std::vector<std::string> expected = {"errors.csv", "rollout_short.csv", "columns.csv", "gains.yaml",
-                                       "run.yaml",   "verdict.yaml",      "scene.json",  "inputs"};
+                                       "run.json",   "verdict.yaml",      "scene.json",  "inputs"};
   if (report::available()) expected.emplace_back("report.html");
   EXPECT_THAT(files_in(files / "run"), testing::UnorderedElementsAreArray(expected));
   for (const std::string& file : expected) {
@@ -70,8 +73,12 @@ TEST(Simulate, WritesTheFilesItNames) {
   EXPECT_EQ(errors.at(0, "status"), "completed");
   EXPECT_GT(std::stod(errors.at(0, "samples")), 100.0);
   EXPECT_THAT(done.out, HasSubstr("error/orientation/max"));
-  EXPECT_THAT(test::read_text(files / "run/run.yaml"),
-              testing::AllOf(HasSubstr("simbody"), HasSubstr("seed: 1"), HasSubstr("fnv1a-")));
+  const RunRecord run = find_run_record(files / "run").value();
+  EXPECT_EQ(run.kind, RunKind::kSimulate);
+  EXPECT_EQ(run.seed, 1U);
+  ASSERT_TRUE(run.simulation);
+  EXPECT_EQ(run.simulation->engine, Engine::kSimbody);
+  EXPECT_EQ(run.simulation->gains_hash, hash_of_file(files / "run/gains.yaml"));
 }
 
 TEST(Simulate, ItsGainsFileGivesTheSameRunAgain) {
@@ -125,7 +132,7 @@ TEST(Simulate, ADeadlineEndsAScenarioWithAStatusAndLosesNoOther) {
   }
 }
 
-TEST(Simulate, ItsCommandInRunYamlMakesTheRunAgainFromAShell) {
+TEST(Simulate, ItsCommandInTheRecordMakesTheRunAgainFromAShell) {
   const ShortStudy files;
   const std::string odd = "it's $HOME; <b>.yaml";  // a shell would do something with every part of this
   fs::copy_file(files / "short.yaml", files / odd);
@@ -133,9 +140,9 @@ TEST(Simulate, ItsCommandInRunYamlMakesTheRunAgainFromAShell) {
                 .exit_code,
             0);
   const std::string errors = test::read_text(files / "run/errors.csv");
-  const std::string command = yaml::parse_file(files / "run/run.yaml").find("command")->as_string();
+  const std::string command = find_run_record(files / "run").value().command;
   fs::remove_all(files / "run");
-  fs::create_symlink(ARMTUNE_PROGRAM, files / "armtune");
+  fs::create_symlink(test::program_path(), files / "armtune");
   const std::string found = "PATH=\"" + (files / "") + ":$PATH\"; ";
   ASSERT_EQ(std::system((found + command + " > " + (files / "output.txt")).c_str()), 0) << command;
   EXPECT_EQ(test::read_text(files / "run/errors.csv"), errors);
@@ -253,7 +260,7 @@ TEST(Simulate, AnInterruptedEnduranceIsNoVerdict) {
     ASSERT_TRUE(program.running()) << command;
     const std::string results =
         out + (std::string(command) == "simulate" ? "/errors.csv" : "/comparison.csv");
-    for (const std::string& file : {results, out + "/run.yaml"})
+    for (const std::string& file : {results, out + "/run.json"})
       EXPECT_NE(test::read_text(file), "") << "what is finished is written before what takes hours";
     const std::string before = test::read_text(results);
     program.interrupt();

@@ -23,7 +23,7 @@ using testing::HasSubstr;
 /// What a run folder holds at least; the start's own files stand beside them under other names.
 constexpr const char* kFiles[] = {
     "study.yaml",  "gains.yaml", "evaluations.csv",   "errors.csv",
-    "columns.csv", "run.yaml",   "rollout_short.csv", "rollout_short_realistic.csv"};
+    "columns.csv", "run.json",   "rollout_short.csv", "rollout_short_realistic.csv"};
 
 void expect_whole_run(const std::string& folder) {
   for (const char* file : kFiles) EXPECT_TRUE(fs::exists(folder + "/" + file)) << file;
@@ -186,7 +186,7 @@ TEST(TuneCommand, InterruptedInTheAnalysisItSaysSoAndKeepsTheRun) {
                  testing::TempDir());
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
   // The last file before the analysis.
-  while (!fs::exists(files / "run/run.yaml") && tuning.running() &&
+  while (!fs::exists(files / "run/run.json") && tuning.running() &&
          std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

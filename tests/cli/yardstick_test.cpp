@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <thread>
 
-#include "sim/yaml/document.hpp"
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/report/support/decode.hpp"
+#include "tests/tuner/run/support/records.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/report/report.hpp"
 #include "tuner/run/file_hash.hpp"
@@ -62,9 +62,13 @@ TEST_F(YardstickProgram, HoldsARunsEventsAgainstTheirLimits) {
     EXPECT_NEAR(std::stod(csv.at(r, "ratio")),
                 std::stod(csv.at(r, "reached")) / std::stod(csv.at(r, "limit")), 1e-12);
   }
-  EXPECT_THAT(
-      read_text(files_ / "run/yardstick.yaml"),
-      AllOf(HasSubstr("rollout_quick_switch.csv"), HasSubstr("gains.yaml"), HasSubstr("knots: \"60\"")));
+  const RunRecord record = parse_run_record(read_text(files_ / "run/yardstick.json"), "yardstick.json");
+  EXPECT_EQ(record.kind, RunKind::kYardstick);
+  ASSERT_TRUE(record.yardstick);
+  EXPECT_EQ(record.yardstick->events, 2);
+  EXPECT_EQ(record.yardstick->knots, 60);
+  for (const char* input : {"run/rollout_quick_switch.csv", "run/gains.yaml"})
+    EXPECT_NE(test::input_in(record, files_ / input).hash, "");
   const std::string extended = read_text(files_ / "run/columns.csv");
   EXPECT_THAT(extended, testing::StartsWith(columns));
   EXPECT_THAT(extended, HasSubstr("\nyardstick.csv,limit,"));
@@ -90,8 +94,8 @@ TEST_F(YardstickProgram, TellsOfTheRecordingsThatItRead) {
   ASSERT_TRUE(program.running()) << "another event is planned for";
   const Finished held = program.wait();
   ASSERT_EQ(held.exit_code, 0) << held.err;
-  const auto run = yaml::parse_file(files_ / "run/yardstick.yaml");
-  EXPECT_EQ(run.find("inputs")->find(recording)->as_string(), before);
+  const RunRecord run = parse_run_record(read_text(files_ / "run/yardstick.json"), "yardstick.json");
+  EXPECT_EQ(test::input_in(run, recording).hash, before);
 }
 
 TEST_F(YardstickProgram, WritesElsewhereAndLeavesTheRunAsItIs) {
@@ -101,7 +105,7 @@ TEST_F(YardstickProgram, WritesElsewhereAndLeavesTheRunAsItIs) {
       run_program({"yardstick", files_ / "run", "--knots", "40", "--out", files_ / "mine.csv"});
   ASSERT_EQ(held.exit_code, 0) << held.err;
   EXPECT_TRUE(fs::exists(files_ / "mine.csv"));
-  EXPECT_TRUE(fs::exists(files_ / "mine.yaml"));
+  EXPECT_TRUE(fs::exists(files_ / "mine.json"));
   EXPECT_FALSE(fs::exists(files_ / "run/yardstick.csv"));
   EXPECT_EQ(read_text(files_ / "run/columns.csv"), columns);
   const Finished again = run_program({"yardstick", files_ / "run", "--out", files_ / "mine.csv"});
@@ -123,7 +127,7 @@ TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {
   fs::rename(scenario_, files_ / "away.yaml");
   EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("'quick_switch'"), HasSubstr("no longer exists"),
                                                HasSubstr("--scenarios FILE")));
-  fs::remove(files_ / "run/run.yaml");
+  fs::remove(files_ / "run/run.json");
   EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("is not bundled"), HasSubstr("--scenarios FILE")));
   EXPECT_THAT(refused({files_ / "run", "--scenarios", "moving_target"}),
               AllOf(HasSubstr("rollout_moving_target.csv: no such file"), Not(HasSubstr("report"))));

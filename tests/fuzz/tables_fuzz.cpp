@@ -4,14 +4,16 @@
 #include <memory>
 
 #include "tests/fuzz/support/run_folder.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal::fuzz {
 namespace {
 
-/// A file, and those in whose place it stands in another kind of run.
+/// A file, those in whose place it stands in another kind of run, and the kind of that run.
 struct Kind {
   const char* file;
-  std::array<const char*, 3> without = {};
+  std::array<const char*, 2> without = {};
+  RunKind run = RunKind::kTune;
 };
 
 constexpr Kind kKinds[] = {{"verdict.yaml"},
@@ -21,11 +23,21 @@ constexpr Kind kKinds[] = {{"verdict.yaml"},
                            {"margins.csv"},
                            {"yardstick.csv"},
                            {"robust_errors.csv"},
-                           {"samples.csv", {"evaluations.csv"}},
-                           {"pareto.csv"},
-                           {"comparison.csv", {"scene.json", "evaluations.csv"}},
-                           {"motion.csv", {"errors.csv", "evaluations.csv"}},
-                           {"limits.csv", {"errors.csv", "evaluations.csv"}}};
+                           {"samples.csv", {"evaluations.csv"}, RunKind::kRobustness},
+                           {"pareto.csv", {}, RunKind::kPareto},
+                           {"comparison.csv", {"scene.json", "evaluations.csv"}, RunKind::kCompare},
+                           {"motion.csv", {"errors.csv", "evaluations.csv"}, RunKind::kPlan},
+                           {"limits.csv", {"errors.csv", "evaluations.csv"}, RunKind::kPlan}};
+
+/// Returns a record with the facts that the pages of the other kinds of runs need.
+std::string record_of(RunKind kind) {
+  RunRecord run;
+  run.kind = kind;
+  run.front = {{"objective", "joint_velocity/max_ratio"}, 2, true, 0.5};
+  run.robustness.emplace().limits = {{"gaze/rms", true, 0.1}, {"joint_velocity/max_ratio", true, 1.0}};
+  run.plan.emplace().headline = "0.1 s is the least time";
+  return run_record_json(run);
+}
 
 std::unique_ptr<RunFolder> folder_of(const Kind& kind) {
   auto folder = std::make_unique<RunFolder>();
@@ -33,10 +45,7 @@ std::unique_ptr<RunFolder> folder_of(const Kind& kind) {
     if (name != nullptr) folder->remove(name);
   }
   if (std::string_view(kind.file) == "limits.csv") folder->write("motion.csv", "time\n0\n1\n");
-  if (std::string_view(kind.file) == "pareto.csv")
-    folder->write("run.yaml", "criteria: \"objective joint_velocity/max_ratio\"\nhypervolume: \"0.5\"\n");
-  if (std::string_view(kind.file) == "samples.csv")
-    folder->write("run.yaml", "limits: \"gaze/rms <= 0.1; joint_velocity/max_ratio <= 1\"\n");
+  if (kind.run != RunKind::kTune) folder->write(kRunRecord, record_of(kind.run));
   return folder;
 }
 

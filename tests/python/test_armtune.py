@@ -457,7 +457,7 @@ class Module(unittest.TestCase):
                          (None, "workers", "100000", "1 to 1024"))
         with self.assertRaises(armtune.InputError) as caught:
             armtune.load_scenario("moving_targt")
-        self.assertEqual((caught.exception.line, caught.exception.key, caught.exception.value), (None, None, None))
+        self.assertEqual((caught.exception.line, caught.exception.key, caught.exception.value), (None, None, "moving_targt"))
         for name in ("", "a,b", "../up", "=1"):
             with self.assertRaisesRegex(armtune.InputError, "name: "):
                 self.scenario.name = name

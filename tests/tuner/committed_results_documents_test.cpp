@@ -9,12 +9,13 @@
 
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/csv.hpp"
 
 namespace armtune::internal {
 namespace committed_results_documents_test {
 
-const std::string kRoot = ARMTUNE_SOURCE_DIR;
+const std::string kRoot = test::source_dir();
 
 /// README, NOTATION and every page of docs/.
 std::vector<std::string> documents() {

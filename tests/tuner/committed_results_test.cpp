@@ -11,6 +11,7 @@
 
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tuner/robustness/margins.hpp"
 #include "tuner/search/tune.hpp"
@@ -20,7 +21,7 @@
 namespace armtune::internal {
 namespace committed_results_test {
 
-const std::string kRun = ARMTUNE_SOURCE_DIR "/results/ur10_gaze";
+const std::string kRun = test::source_dir() + "/results/ur10_gaze";
 
 /// Judges gains as a study does: the worst of its arms, and its margins, from its start. Native engine, which
 /// the tests of the engines hold to Simbody's.
@@ -128,7 +129,7 @@ TEST_F(CommittedResults, LoseLittleWithTheLessImportantHalfOfTheGainsFixed) {
   const Study reduced = load_study(kRun + "/reduced_study.yaml");
   EXPECT_EQ(reduced.space.free.size(), study().space.free.size() / 2);
   const auto joints = joint_names(*study().scenarios.front().robot);
-  const Gains gains = load_gains(ARMTUNE_SOURCE_DIR "/results/ur10_gaze_reduced/gains.yaml", joints);
+  const Gains gains = load_gains(test::source_dir() + "/results/ur10_gaze_reduced/gains.yaml", joints);
   for (const GainEntry& entry : gain_entries(study().space.start, joints)) {
     const auto tuned = [&entry](const Parameter& p) { return p.entry.name == entry.name; };
     if (std::none_of(reduced.space.free.begin(), reduced.space.free.end(), tuned)) {
@@ -141,7 +142,7 @@ TEST_F(CommittedResults, LoseLittleWithTheLessImportantHalfOfTheGainsFixed) {
 }
 
 TEST(CommittedFront, HasNoPointThatAnotherDominatesAndDominatesThePublishedGains) {
-  const std::string folder = ARMTUNE_SOURCE_DIR "/results/pareto";
+  const std::string folder = test::source_dir() + "/results/pareto";
   const auto csv = test::read_csv(folder + "/pareto.csv");
   std::vector<Costs> front;
   std::optional<Costs> start;
@@ -163,7 +164,7 @@ TEST(CommittedFront, HasNoPointThatAnotherDominatesAndDominatesThePublishedGains
   }
   EXPECT_GE(better, 12U);
   // Its ends and its middle, from the gains beside it.
-  const Judge judge(ARMTUNE_SOURCE_DIR "/benchmarks/studies/ur10_one_arm.yaml");
+  const Judge judge(test::source_dir() + "/benchmarks/studies/ur10_one_arm.yaml");
   for (const std::size_t i : {std::size_t{0}, front.size() / 2, front.size() - 1}) {
     const Evaluation e = judge.judged(folder + "/" + point_file(i));
     EXPECT_TRUE(e.feasible);
@@ -229,7 +230,7 @@ TEST(CommittedEndurance, TheBundledTunedGainsHoldForTwoHoursAndOnRandomArms) {
       {"extended_tuned", 3}, {"panda_tuned", 0}, {"youbot_tuned", 0}};
   std::set<std::string> failed, seen;
   for (const auto& [gains, allowed] : failing_arms) {
-    const auto table = test::read_csv(ARMTUNE_SOURCE_DIR "/results/endurance/" + gains + "/endurance.csv");
+    const auto table = test::read_csv(test::source_dir() + "/results/endurance/" + gains + "/endurance.csv");
     std::size_t arms = 0, lost = 0, scenarios = 0;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       const std::string scenario = table.at(row, "scenario");
@@ -261,7 +262,7 @@ TEST(CommittedEndurance, TheBundledTunedGainsHoldForTwoHoursAndOnRandomArms) {
 
 /// An arm that is not bundled, under the gains that `robot --task` and `tune` gave it.
 TEST(CommittedUr5e, FollowsWithAThirdLessErrorThanItsStartAndHoldsEveryMargin) {
-  const std::string folder = ARMTUNE_SOURCE_DIR "/results/ur5e";
+  const std::string folder = test::source_dir() + "/results/ur5e";
   const Scenario scenario = load_scenario(folder + "/task.yaml");
   const auto joints = joint_names(*scenario.robot);
   const Gains start = load_gains(folder + "/start/gains.yaml", joints);

@@ -10,6 +10,7 @@
 #include "core/common/nearest.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/declared/short_help.hpp"
+#include "tuner/cli/xacro_options.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::internal::cli {
@@ -45,6 +46,7 @@ void add_commands(CLI::App& app, int& exit_code) {
 #endif
   add_man_command(app, exit_code);
   add_completion_command(app, exit_code);
+  add_xacro_options(app);
   group_options(app);
 }
 

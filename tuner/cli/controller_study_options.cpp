@@ -11,6 +11,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/say.hpp"
+#include "tuner/cli/stiffness_option.hpp"
 #include "tuner/run/run_folder.hpp"
 #ifdef ARMTUNE_SUITESPARSE
 #include "tuner/planning/session/timed_goals.hpp"
@@ -36,8 +37,8 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
   CLI::Option* controllers = command.add_option(
       "--controllers", inputs.controllers,
       "your unchanged ROS parameter file. It has the controller to tune: a joint_trajectory_controller, or "
-      "the joint impedance controller of a Franka. For a file of any other form, give a map of gains here "
-      "(docs/file_formats.md)");
+      "the joint impedance controller of a Franka. For a file of any other form, such as that of a Cartesian "
+      "impedance controller, give a map of gains here (docs/file_formats.md)");
   CLI::Option* trajectory =
       command
           .add_option(
@@ -54,7 +55,8 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
                             ->check(CLI::IsMember({"jazzy", "humble", "noetic"}));
   CLI::Option* rate =
       command.add_option("--rate", inputs.rate, "control rate [Hz]")
-          ->default_str("update_rate in the file of --controllers; with --controller it must be given")
+          ->default_str(
+              "update_rate or loop_hz in the file of --controllers; with --controller it must be given")
           ->check(CLI::Range(10.0, 10000.0));
   CLI::Option* degrees =
       command
@@ -67,13 +69,7 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
                       "their times")
           ->default_str("1")
           ->check(CLI::Range(0.01, 10.0));
-  command
-      .add_option("--max-stiffness", inputs.max_stiffness,
-                  "largest stiffness that an impedance controller may get [N m/rad, N/m]: one number, or one "
-                  "for each joint. For a task of the tool: two, for translations and rotations, or six")
-      ->default_str("the stiffness is not tuned")
-      ->expected(1, static_cast<int>(kMaxJoints))
-      ->check(CLI::PositiveNumber);
+  add_stiffness_option(command, inputs.max_stiffness);
   if (required) {
     for (CLI::Option* option : {robot, trajectory}) option->required();
   } else {

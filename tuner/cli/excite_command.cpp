@@ -54,8 +54,9 @@ void add_excite_command(CLI::App& app, int& exit_code) {
   command->add_flag("--payload", settings.log.payload,
                     "simulate the logs with the scenario's payload at the tool");
   command->footer(
-      "Collisions of the arm with itself or its surroundings are not checked. Check trajectory.csv, and run\n"
-      "the trajectory slowly first.\n\n"
+      "The motion keeps the arm from touching itself and the cell of its robot file, as far as shapes are\n"
+      "known. The output says what was checked. Obstacles and cells of scenarios are not. Check\n"
+      "trajectory.csv, and run the trajectory slowly first.\n\n"
       "Example:\n  armtune excite ur10 --center 0,-90,-60,-90,90,0 --min-height 0.1 --out runs/excite "
       "--scenario moving_target\n"
       "  armtune identify runs/excite/log_moving_target.csv --robot ur10 --out runs/identified\n");

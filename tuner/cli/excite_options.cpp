@@ -5,8 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "armtune/error.hpp"
+#include "sim/cell/clearance_model.hpp"
 #include "sim/scenario/robot_file.hpp"
 
 namespace armtune::internal::cli {
@@ -20,6 +23,15 @@ JointVector center_in_si(const RobotModel& model, const std::vector<double>& deg
                     degrees.size(), model.name, model.n(), fmt::join(joint_names(model), " ")));
   }
   return in_si(model, Eigen::Map<const Eigen::VectorXd>(degrees.data(), model.n()));
+}
+
+/// Adds the distances that the motion keeps, unless no distance can be computed or none is required.
+void add_distances(const std::string& robot, ExciteSettings& settings) {
+  KeptDistances& kept = settings.design.kept;
+  if (kept.clearance == 0.0) return;
+  const auto cell = cell_of(read_robot_file(robot), settings.cell_files);
+  auto model = std::make_shared<const ClearanceModel>(settings.model, cell.value_or(Cell{}));
+  if (!model->pairs().empty()) kept.model = std::move(model);
 }
 
 }  // namespace
@@ -59,11 +71,19 @@ void add_motion_options(CLI::App& command, ExciteArguments& args) {
                   "time in which the motion builds up at the start and dies down at the end [s]")
       ->default_str("2, or a quarter of the trajectory's duration if that is less")
       ->check(CLI::Range(0.1, 10.0));
+  command
+      .add_option(
+          "--clearance", d.kept.clearance,
+          "least distance of the arm from the floor and the parts of the robot file's cell [m]; links "
+          "keep at least 5 mm from each other, or this distance if it is less; 0: not checked")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
 }
 
 ExciteSettings settings_of(const ExciteArguments& args) {
   ExciteSettings settings = args.settings;
   settings.model = load_robot(args.robot);
+  add_distances(args.robot, settings);
   for (const std::string& name : args.scenarios) {
     const RobotModel& robot = *settings.scenarios.emplace_back(load_scenario(name)).robot;
     if (robot.name == settings.model->name && joint_names(robot) != joint_names(*settings.model)) {

@@ -13,12 +13,18 @@ void ExcitePrinter::designed(const ExciteOutcome& so_far) {
         fmt::format("{} trajectories evaluated; the best of 50 random start trajectories had condition "
                     "number {:.4g}\n",
                     so_far.design->evaluations, so_far.design->random_condition));
+    if (so_far.design->scale < 1.0)
+      say(fmt::format(
+          "The best trajectory came too near to a contact; its amplitudes are reduced to {:.3g} of "
+          "what they were.\n",
+          so_far.design->scale));
   }
   const ExcitationUse& use = so_far.use;
   say(fmt::format(
       "condition number {:.4g}; largest velocity {:.3g} of its limit; largest effort {:.3g} of its limit; "
       "smallest distance to a position limit {:.3g} rad or m; lowest point at z = {:.3g} m\n",
       use.condition, use.velocity_ratio, use.effort_ratio, use.position_margin, use.lowest));
+  say(so_far.contact + "\n");
 }
 
 void ExcitePrinter::logged(const Scenario& scenario, const ExcitationLog& log) {

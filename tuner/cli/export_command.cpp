@@ -36,7 +36,7 @@ struct ExportArguments {
 
 /// Returns the text of the ROS parameter file `args.into`, in which only the gains are changed.
 std::string changed_controllers(const ExportArguments& args, const GainsFile& gains) {
-  const ParameterFile file = parameter_file_for(gains.gains, args.into, args.node);
+  const ParameterFile file = parameter_file_for(gains.gains, args.into, args.node, gains.joints);
   const std::string kind = controller_gains(file.controller, file.path, gains.joints).controller;
   if (gains.gains.controller != kind) {
     throw InputError(

@@ -53,11 +53,10 @@ CLI::Option* add_controller_option(CLI::App& command, std::string& controller) {
 
 CLI::Option* add_joint_motion_controller_option(CLI::App& command, std::string& controller) {
   return command
-      .add_option(
-          "--controller", controller,
-          "tune one of armtune's controllers that follow joint motions, without a parameter file; its "
-          "start gains are computed from the arm")
-      ->check(names_shown(joint_motion_controllers(), [](const std::string& name) { return name; }));
+      .add_option("--controller", controller,
+                  "tune one of armtune's controllers that follow motions, without a parameter file; its "
+                  "start gains are computed from the arm")
+      ->check(names_shown(motion_controllers(), [](const std::string& name) { return name; }));
 }
 
 }  // namespace armtune::internal::cli

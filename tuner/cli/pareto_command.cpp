@@ -19,6 +19,7 @@ namespace {
 struct ParetoArguments {
   std::string study;
   std::string controller;  ///< controller to tune; empty: the study's
+  std::vector<double> max_stiffness = {};
   long seed = -1;
   FrontSettings settings = {};
 };
@@ -28,7 +29,7 @@ int run_pareto(const ParetoArguments& args, RankGroup& team) {
     return load_steady_study(args.study, args.controller, args.settings.workers);
   });
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
-  apply_stiffness({}, study);
+  apply_stiffness(args.max_stiffness, study);
   FrontSettings settings = args.settings;
   if (settings.place.folder.empty()) settings.place.folder = default_run_folder("pareto_" + study.name);
   FrontPrinter printer(settings);
@@ -50,6 +51,7 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   command->add_option("STUDY", args->study, "a bundled study, such as ur10_gaze, or a YAML file of your own")
       ->required();
   add_controller_option(*command, args->controller);
+  add_stiffness_option(*command, args->max_stiffness);
   command
       ->add_option("--criteria", settings.criteria,
                    "two or three criteria of the front: metrics, or the word objective for the study's "

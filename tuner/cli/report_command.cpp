@@ -46,7 +46,7 @@ void add_report_command(CLI::App& app, int& exit_code) {
       ->default_str("DIR/report.html, which is overwritten");
   command->footer(
       "The page needs neither a server nor a network. Sections for which the folder has no data are left\n"
-      "out. Meshes of the arm are drawn if they are binary STL files in the robot's folder. The robot's\n"
+      "out. Meshes of the arm are drawn if they are STL or OBJ files in the robot's folder. The robot's\n"
       "folder is the nearest one with a package.xml, from the folder of the URDF upwards. Without a\n"
       "package.xml, it is the folder of the URDF, or the folder above if the URDF lies in a folder 'urdf'.\n"
       "To allow further folders, list them in the environment variable ARMTUNE_MESHES, as FOLDER:FOLDER, or\n"

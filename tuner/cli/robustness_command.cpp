@@ -101,7 +101,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
       ->default_str("at random positions on their paths")
       ->group("Uncertainty (uniform)");
   add_stepper_option(*command, args->stepper);
-  add_run_options(*command, "new folder for samples.csv, summary.csv, verdict.yaml, run.yaml and report.html",
+  add_run_options(*command, "new folder for samples.csv, summary.csv, verdict.yaml, run.json and report.html",
                   "runs/robustness_<time>, or no files with --sample", args->settings.place,
                   args->settings.options.workers, args->settings.deadline);
   command->footer(

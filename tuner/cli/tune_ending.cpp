@@ -57,9 +57,9 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
 /// there is none, or if another kind of controller is tuned.
 std::string parameter_file_of(const Study& study) {
   if (study.gains.empty()) return {};
-  const auto file = read_parameter_file(study.gains, study.node, study.distro);
-  if (!file) return {};
   const std::vector<std::string> joints = joint_names(*study.scenarios.front().robot);
+  const auto file = read_parameter_file(study.gains, study.node, study.distro, joints);
+  if (!file) return {};
   const Gains in_file = controller_gains(file->controller, file->path, joints);
   return in_file.controller == study.space.start.controller ? file->path : std::string();
 }

@@ -39,7 +39,7 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option(
       "--scenarios", args->scenarios,
-      "bundled scenarios or scenario files (default: the scenarios that the run's study.yaml or run.yaml "
+      "bundled scenarios or scenario files (default: the scenarios that the run's study.yaml or run.json "
       "names)");
   command->add_option("--out", args->out,
                       "new file instead of RUN/yardstick.csv; the run's files and report then stay "

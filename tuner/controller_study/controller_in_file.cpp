@@ -9,6 +9,7 @@
 
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
+#include "core/control/laws/cartesian_impedance_law.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/joint_impedance_law.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
@@ -22,7 +23,6 @@
 namespace armtune::internal {
 namespace {
 
-constexpr const char* kStiffness = "joint_impedance_k";
 constexpr double kLeastStiffness = 0.2;  // of the start value
 constexpr double kMostDamping = 5.0;     // times the damping that fits the arm's inertia
 
@@ -41,8 +41,14 @@ bool is_in_file(const ControllerInFile& from, const GainField& field, Eigen::Ind
   const auto& places = from.controller.places;
   return std::any_of(places.begin(), places.end(), [&](const GainPlace& place) {
     return place.gain == field.name ||
-           place.gain == fmt::format("{}/{}", field.name, from.joints[static_cast<std::size_t>(k)]);
+           place.gain == fmt::format("{}/{}", field.name,
+                                     component_names(field, from.joints)[static_cast<std::size_t>(k)]);
   });
+}
+
+/// Returns false for a number that belongs to a rotation of the tool, if no motion gives its orientation.
+bool has_effect(const ControllerInFile& from, const GainField& field, Eigen::Index k) {
+  return from.turns || std::get<OwnGain>(field.member).shape != GainShape::kTask || k < 3;
 }
 
 /// True if a map binds a gain of the control loop to the file that most controllers of this kind do not have.
@@ -95,8 +101,38 @@ bool has_room_for_damping(const ControllerInFile& from, Eigen::Index k) {
   return true;
 }
 
-std::string entry(const std::string& gain, const std::string& joint, const std::string& bounds = "") {
-  return fmt::format("  - {{name: {}{}}}\n", yaml::quoted(fmt::format("{}/{}", gain, joint)), bounds);
+std::string entry(const std::string& gain, const std::string& part, const std::string& bounds = "") {
+  return fmt::format("  - {{name: {}{}}}\n", yaml::quoted(part.empty() ? gain : gain + "/" + part), bounds);
+}
+
+/// Returns the name of the controller's stiffness.
+const char* stiffness_of_controller(const ControllerInFile& from) {
+  return is_of_tool(from) ? "cartesian_impedance_k" : "joint_impedance_k";
+}
+
+/// Returns one bound for each value of the stiffness from the numbers of --max-stiffness. parts: names of the
+/// values. Throws InputError if their count is wrong.
+std::vector<double> one_for_each(const std::vector<double>& given, const std::vector<std::string>& parts,
+                                 bool of_tool) {
+  const std::size_t n = parts.size();
+  if (given.size() == n) return given;
+  if (of_tool && given.size() == 2) {
+    std::vector<double> most(n, given[0]);
+    std::fill(most.begin() + 3, most.end(), given[1]);
+    return most;
+  }
+  if (!of_tool && given.size() == 1) return std::vector<double>(n, given.front());
+  throw InputError(fmt::format("--max-stiffness has {} numbers; give {}, or {}, in the order {}",
+                               given.size(),
+                               of_tool ? "one for translations and one for rotations" : "one for all joints",
+                               n, fmt::join(parts, ", ")))
+      .with_value(fmt::to_string(given.size()), fmt::format("{} or {}", of_tool ? 2 : 1, n));
+}
+
+/// Returns the bounds with which a study searches a gain from `start`, by the factors of its field.
+std::string bounds_by_factors(const GainField& field, double start) {
+  return fmt::format(", lower: {:.6g}, upper: {:.6g}", field.lower_factor * start,
+                     field.upper_factor * start);
 }
 
 }  // namespace
@@ -104,7 +140,7 @@ std::string entry(const std::string& gain, const std::string& joint, const std::
 ControllerInFile read_controller(const std::string& file, const std::string& node,
                                  const std::vector<std::string>& joints, std::optional<RosDistro> distro) {
   ControllerInFile read;
-  auto found = read_parameter_file(file, node, distro);
+  auto found = read_parameter_file(file, node, distro, joints);
   if (!found) chosen_controller({}, file, node);  // throws
   read.file = found->path;
   read.text = std::move(found->text);
@@ -124,10 +160,10 @@ ControllerInFile read_controller(const std::string& file, const std::string& nod
 
 ControllerInFile new_controller(const std::string& kind, const RobotModel& arm, const JointVector& q) {
   controller_kind(kind);  // throws InputError if the name is unknown
-  const std::vector<std::string> kinds = joint_motion_controllers();
+  const std::vector<std::string> kinds = motion_controllers();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(fmt::format(
-        "controller '{}' does not follow joint motions with gains of its own; choose one of {}, or write a "
+        "controller '{}' does not follow motions with gains of its own; choose one of {}, or write a "
         "study for a task of the tool ('armtune robot --task')",
         kind, fmt::join(kinds, ", ")));
   ControllerInFile made;
@@ -138,8 +174,12 @@ ControllerInFile new_controller(const std::string& kind, const RobotModel& arm, 
   return made;
 }
 
+bool is_of_tool(const ControllerInFile& from) {
+  return from.gains.controller == kCartesianImpedance;
+}
+
 bool has_stiffness(const ControllerInFile& from) {
-  return from.gains.controller == kJointImpedance;
+  return from.gains.controller == kJointImpedance || is_of_tool(from);
 }
 
 std::vector<double> bounded_stiffness(const std::vector<double>& given, ControllerInFile& from) {
@@ -147,15 +187,14 @@ std::vector<double> bounded_stiffness(const std::vector<double>& given, Controll
   if (!has_stiffness(from))
     throw InputError(
         fmt::format("--max-stiffness has no effect: {} has no stiffness", from.gains.controller));
-  const std::size_t n = from.joints.size();
-  if (given.size() != 1 && given.size() != n)
-    throw InputError(
-        fmt::format("--max-stiffness has {} numbers; give one for all joints, or {}, in the order {}",
-                    given.size(), n, fmt::join(from.joints, ", ")));
-  std::vector<double> most(n, given.front());
-  if (given.size() == n) most = given;
-  JointVector& start = own(from.gains, kStiffness);
-  for (std::size_t k = 0; k < n; ++k) {
+  const char* stiffness = stiffness_of_controller(from);
+  std::vector<std::string> parts = from.joints;
+  for (const GainField* field : searched_fields(from)) {
+    if (field->name == std::string_view(stiffness)) parts = component_names(*field, from.joints);
+  }
+  const std::vector<double> most = one_for_each(given, parts, is_of_tool(from));
+  JointVector& start = own(from.gains, stiffness);
+  for (std::size_t k = 0; k < most.size(); ++k) {
     double& value = start[static_cast<Eigen::Index>(k)];
     if (value <= most[k]) continue;
     if (!from.file.empty())
@@ -163,7 +202,8 @@ std::vector<double> bounded_stiffness(const std::vector<double>& given, Controll
           InputPlace{from.file},
           fmt::format("the stiffness of {} is {:.6g}, above --max-stiffness {:.6g}; lower it in the "
                       "file, or allow more",
-                      from.joints[k], value, most[k]));
+                      parts[k], value, most[k]))
+          .with_value(fmt::format("{:.6g}", value), fmt::format("at most {:.6g}", most[k]));
     value = most[k];
   }
   return most;
@@ -187,43 +227,34 @@ std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm
                           std::min(accepted->lower, values[0]), std::max(accepted->upper, values[0]));
       continue;
     }
-    const auto is_tuned = [&](Eigen::Index k) { return values[k] != 0.0 && is_in_file(from, *field, k); };
-    if (field->name == std::string_view(kStiffness)) {
-      for (std::size_t k = 0; k < most_stiffness.size(); ++k) {
-        const double start = values[static_cast<Eigen::Index>(k)];
-        if (is_tuned(static_cast<Eigen::Index>(k)))
-          text += entry(
-              field->name, from.joints[k],
-              fmt::format(", lower: {:.6g}, upper: {:.6g}", kLeastStiffness * start, most_stiffness[k]));
-      }
-      continue;
-    }
-    if (field->search == SearchRange::kNone) {
-      for (std::size_t k = 0; k < from.joints.size(); ++k) {
-        const double start = values[static_cast<Eigen::Index>(k)];
-        if (is_tuned(static_cast<Eigen::Index>(k)))
-          text += entry(field->name, from.joints[k],
-                        fmt::format(", lower: {:.6g}, upper: {:.6g}", field->lower_factor * start,
-                                    field->upper_factor * start));
-      }
-      continue;
-    }
-    Eigen::Index tuned = 0;
-    for (Eigen::Index k = 0; k < values.size(); ++k) tuned += is_tuned(k) ? 1 : 0;
-    if (tuned == values.size()) {
+    const std::vector<std::string> parts = component_names(*field, from.joints);
+    const auto is_tuned = [&](std::size_t k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      return values[i] != 0.0 && is_in_file(from, *field, i) && has_effect(from, *field, i);
+    };
+    const bool is_stiffness = field->name == std::string_view(stiffness_of_controller(from));
+    if (is_stiffness && most_stiffness.empty()) continue;
+    std::size_t tuned = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) tuned += is_tuned(k) ? 1 : 0;
+    if (!is_stiffness && field->search != SearchRange::kNone && tuned == parts.size()) {
       text += fmt::format("  - {{name: {}}}\n", field->name);
       continue;
     }
-    for (std::size_t k = 0; k < from.joints.size(); ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      if (is_tuned(i)) {
-        text += entry(field->name, from.joints[k]);
-      } else if (needs_damping && &values == &jtc_gain(gains, "d") && jtc_gain(gains, "p")[i] != 0.0 &&
-                 has_room_for_damping(from, i)) {
-        undamped.push_back(from.joints[k]);
-        text += entry(
-            field->name, from.joints[k],
-            fmt::format(", lower: 0, upper: {:.4g}, scale: linear", kMostDamping * jtc_gain(first, "d")[i]));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const double start = values[static_cast<Eigen::Index>(k)];
+      if (is_tuned(k)) {
+        text += entry(field->name, parts[k],
+                      is_stiffness ? fmt::format(", lower: {:.6g}, upper: {:.6g}", kLeastStiffness * start,
+                                                 most_stiffness[k])
+                      : field->search == SearchRange::kNone ? bounds_by_factors(*field, start)
+                                                            : "");
+      } else if (needs_damping && &values == &jtc_gain(gains, "d") &&
+                 jtc_gain(gains, "p")[static_cast<Eigen::Index>(k)] != 0.0 &&
+                 has_room_for_damping(from, static_cast<Eigen::Index>(k))) {
+        undamped.push_back(parts[k]);
+        text += entry(field->name, parts[k],
+                      fmt::format(", lower: 0, upper: {:.4g}, scale: linear",
+                                  kMostDamping * jtc_gain(first, "d")[static_cast<Eigen::Index>(k)]));
       }
     }
   }

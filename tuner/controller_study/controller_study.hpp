@@ -49,17 +49,18 @@ struct ControllerStudyInputs {
   std::string controllers;  ///< ROS parameter file of the controller; empty: see kind
   std::string node;         ///< name of the controller in the file; empty: the only one
   /// CSV files or ROS messages, at least one: joint motions, joint goals without times, or waypoints of the
-  /// tool.
+  /// tool. A controller that tracks the tool needs waypoints of the tool.
   std::vector<std::string> trajectories;
-  double rate = 0.0;     ///< rate of the controller [Hz]; 0: the file's update_rate
+  double rate = 0.0;     ///< rate of the controller [Hz]; 0: the one in the file (controller_rate.hpp)
   double speed = 1.0;    ///< factor on the speed of all motions
   bool degrees = false;  ///< true: angles in CSV files are in degrees, not in radians
-  /// Largest stiffness of each joint for impedance controllers [N m/rad, N/m]: n numbers, or one for all
-  /// joints. Empty: the stiffness is not tuned, because nothing here tells how large it may become.
+  /// Largest stiffness of an impedance controller. Of joints [N m/rad, N/m]: n numbers, or one for all
+  /// joints. Of the tool: two, for translations [N/m] and rotations [N m], or six. Empty: the stiffness is
+  /// not tuned, because nothing here tells how large it may become.
   std::vector<double> max_stiffness = {};
   GoalTiming timing = {};       ///< plans motions for files without times; empty: these are refused
   ToolMotion tool_motion = {};  ///< finds motions for files with waypoints of the tool; empty: likewise
-  /// Without a parameter file: one of armtune's controllers that follow joint motions. Its start gains are
+  /// Without a parameter file: one of motion_controllers() (controller_gains.hpp). Its start gains are
   /// computed from the arm, and `rate` must be given.
   std::string kind = {};
   /// Distribution of ROS whose rules the joint trajectory controller in the file follows. Empty: Jazzy for a
@@ -76,7 +77,8 @@ struct ControllerStudyFiles {
 
 /// Writes a study of the controller's gains into a new folder:
 ///   - study.yaml, and a scenario for each motion;
-///   - for each file without times or with waypoints of the tool, the ROS message with the joint motion;
+///   - for each file without times or with waypoints of the tool, the ROS message with the joint motion; but
+///     if the controller tracks the tool itself, the path of the tool and the joint positions at its start;
 ///   - gains.yaml with the start gains, if there is no parameter file;
 ///   - robot.yaml with an estimate of the arm's rotor inertia, if no file gives this inertia.
 ///

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "armtune/error.hpp"
 #include "core/common/file_name.hpp"
 #include "core/common/file_path.hpp"
 #include "sim/scenario/planned_motion.hpp"
@@ -20,6 +21,8 @@ namespace armtune::internal {
 namespace {
 
 constexpr std::string_view kMotion = "_motion";  // added to the scenario's name for a planned motion
+constexpr std::string_view kPath = "_path";      // likewise for a path of the tool
+constexpr std::string_view kStart = "_start";    // likewise for the joint positions at its start
 
 /// Returns `stem`, with a number added if this name is taken, and adds the result to `taken`.
 std::string free_name(const std::string& stem, std::set<std::string>& taken) {
@@ -43,13 +46,14 @@ bool is_straight(const JointSpline& motion) {
 
 }  // namespace
 
-std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInputs& inputs, JointGoals arm) {
+std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInputs& inputs, JointGoals arm,
+                                                      Segments segments) {
   std::vector<StudyMotion> motions;
   std::set<std::string> taken = {"study", "robot", "gains"};
   for (const std::string& path : inputs.trajectories) {
     const std::string name = free_name(std::filesystem::path(path).stem().string(), taken);
     check_result_name(name, path);
-    PlannedFile file{{path}, true, inputs.speed};
+    PlannedFile file{{path}, segments, inputs.speed};
     if (inputs.tool_motion && has_tool_waypoints(file.table, *arm.robot)) {
       check_result_name(name, path, kLongestName - kMotion.size());
       TimedGoals timed = inputs.tool_motion({file.table, arm.robot, arm.clearance, arm.ros2, inputs.speed});
@@ -82,7 +86,42 @@ std::optional<std::vector<StudyMotion>> study_motions(const ControllerStudyInput
   return motions;
 }
 
-void add_notes(const StudyMotion& move, std::vector<std::string>& notes) {
+std::vector<StudyMotion> tool_motions(const ControllerStudyInputs& inputs, const JointGoals& arm,
+                                      double period) {
+  std::vector<StudyMotion> motions;
+  std::set<std::string> taken = {"study", "robot", "gains"};
+  for (const std::string& file : inputs.trajectories) {
+    const std::string name = free_name(std::filesystem::path(file).stem().string(), taken);
+    check_result_name(name, file, kLongestName - kStart.size());
+    if (!has_tool_waypoints({file}, *arm.robot))
+      throw InputError(InputPlace{file, 0, "x"},
+                       "this controller tracks the tool, so a motion of the joints says nothing about its "
+                       "gains; give a CSV file with waypoints of the tool: time, x, y, z and, for its "
+                       "orientation, qw, qx, qy, qz");
+    ToolPath path = tool_path({{file}, arm.robot, arm.clearance, arm.ros2, inputs.speed}, period);
+    const JointVector rest = JointVector::Zero(path.position.size());
+    const MotionPoint<JointVector> start{path.position, rest, rest};
+    const std::string waypoints = path.waypoints;
+    motions.push_back({file, name, {{0.0, period}, {start, start}}, "", waypoints, true, std::move(path)});
+  }
+  for (StudyMotion& motion : motions) {
+    motion.reference = free_name(motion.name + std::string(kPath), taken) + ".csv";
+    motion.start_reference = free_name(motion.name + std::string(kStart), taken) + ".csv";
+  }
+  return motions;
+}
+
+void add_notes(const StudyMotion& move, Segments segments, std::vector<std::string>& notes) {
+  if (move.path) {
+    notes.push_back(fmt::format(
+        "the arm follows the waypoints of {} from joint positions that armtune chose, after {:g} s of rest. "
+        "{} has these positions; replace them by those of your robot{}",
+        move.file, kRestBeforePath, move.start_reference,
+        move.path->turns
+            ? ""
+            : ". The file gives no orientation of the tool, so gains of rotations have no effect"));
+    return;
+  }
   if (move.of_tool) {
     notes.push_back(fmt::format(
         "{} has waypoints of the tool. armtune chose joint positions with which the tool follows them; other "
@@ -96,7 +135,7 @@ void add_notes(const StudyMotion& move, std::vector<std::string>& notes) {
         "motion begins",
         move.file, move.motion.end(), move.reference));
   }
-  if (move.message.empty() && is_straight(move.motion))
+  if (segments == Segments::kAsRos && move.message.empty() && is_straight(move.motion))
     notes.push_back(fmt::format(
         "{} has positions but no velocities. As in ROS, straight lines then join the points, and the desired "
         "velocity jumps at every point. A file that also has velocities gives smaller tracking errors",

@@ -17,7 +17,8 @@ std::size_t column(const CsvTable& table, const std::string& name, const Study& 
       at_line(table.name(), 1, name),
       fmt::format("there is no column '{}', but the evaluations of {} have one; give the evaluations "
                   "file of this study",
-                  name, study.source));
+                  name, study.source))
+      .with_value({}, fmt::format("a column '{}'", name));
 }
 
 double finite(const CsvTable& table, std::size_t row, std::size_t column) {

@@ -28,15 +28,17 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   if (!record) return std::nullopt;
   if (record->x != candidate.x || record->phase != candidate.phase ||
       record->results.size() != results_per_evaluation(study_)) {
+    const bool another = record->phase != candidate.phase;
+    const std::string differs =
+        another ? fmt::format("has phase {}, but phase {} in the journal", candidate.phase, record->phase)
+                : std::string("differs from the journal");
     throw InputError(
-        InputPlace{study_.source},
+        InputPlace{study_.source, 0, fmt::format("evaluation {}", number)},
         fmt::format(
-            "the search cannot be resumed, because evaluation {} {}; the study's file was "
-            "changed, or the run was started with another program. Start the run again",
-            number,
-            record->phase == candidate.phase
-                ? std::string("differs from the journal")
-                : fmt::format("has phase {}, but phase {} in the journal", candidate.phase, record->phase)));
+            "the search cannot be resumed, because evaluation {} {}; the study's file was changed, or "
+            "the run was started with another program. Start the run again",
+            number, differs))
+        .with_value(another ? candidate.phase : "", another ? record->phase : "the point in the journal");
   }
   Evaluation e;
   e.x = candidate.x;

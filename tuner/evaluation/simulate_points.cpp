@@ -10,7 +10,7 @@ RolloutPlan plan_of(const Study& study, double deadline) {
   plan.deadline = deadline;
   if (!study.source.empty()) plan.facts.emplace_back("study", hash_of_input(study.source));
   if (!study.gains.empty()) {
-    for (const std::string& file : files_of_gains(study.gains, study.node))
+    for (const std::string& file : files_of_gains(study.gains))
       plan.facts.emplace_back("start gains", hash_of_input(file));
   }
   return plan;

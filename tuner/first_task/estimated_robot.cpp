@@ -71,8 +71,9 @@ std::string estimated_robot_yaml(const RobotFile& file, const RobotModel& estima
               : fmt::format("{}", fmt::join(estimated.estimated_rotors, ", ")),
           fmt::join(figures, ", "));
   if (file.root && (!says_the_same(text, file) || names_waypoints(file))) {
-    throw InputError(InputPlace{file.path},
-                     "the file gives no rotor inertia; add the line 'rotor_inertia: estimated' to it");
+    throw InputError(InputPlace{file.path, 0, "rotor_inertia"},
+                     "the file gives no rotor inertia; add the line 'rotor_inertia: estimated' to it")
+        .with_value({}, "the key 'rotor_inertia'");
   }
   return text;
 }

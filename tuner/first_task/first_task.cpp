@@ -133,12 +133,12 @@ FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOpti
     if (auto found = search.find()) return *found;
     if (!search.has_place()) continue;
     last = fmt::format(
-        "{}: no start gains were found with which {} completes an easy motion within its limits. The last "
+        "no start gains were found with which {} completes an easy motion within its limits. The last "
         "attempt failed: {}. Check limits and masses, or write a scenario and start gains yourself",
-        arm->source, arm->name, search.failed());
+        arm->name, search.failed());
   }
   if (last.empty()) default_task(arm, options);  // throws an error that says why there is no place
-  throw InputError(last);
+  throw InputError(InputPlace{arm->source}, last);
 }
 
 }  // namespace
@@ -159,8 +159,9 @@ FirstTask find_first_task(const std::string& robot, const TaskOptions& options, 
   if (const auto cell = cell_of(file, inputs)) {
     if (options.floor) {
       throw InputError(
-          InputPlace{file.path},
-          "the key 'cell' describes the surroundings; leave --floor out, and give 'floor' under 'cell'");
+          InputPlace{file.path, 0, "cell"},
+          "the key 'cell' describes the surroundings; leave --floor out, and give 'floor' under 'cell'")
+          .with_value(fmt::to_string(*options.floor), "no --floor");
     }
     in_cell.cell = *cell;
   }

@@ -152,11 +152,12 @@ Study load_steady_study(const std::string& name_or_path, const std::string& cont
   } catch (const InputError& e) {
     if (failed.completes) return study;  // the study can be tuned with its own start gains
     throw InputError(
-        InputPlace{study.source},
+        e.place().file == study.source ? e.place() : InputPlace{study.source},
         fmt::format(
             "the start gains fail ({}), so the objective cannot be relative to them. armtune also computed start "
             "gains of its own. Every scenario completes with them, but the study does not allow them: {}",
-            failed.why, e.what()));
+            failed.why, e.what()))
+        .with_value(e.value(), e.limit());
   }
 }
 

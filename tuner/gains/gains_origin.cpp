@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "core/common/file_path.hpp"
 #include "sim/csv/csv_table.hpp"
 #include "sim/metrics/metric.hpp"
-#include "tuner/report/provenance.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/run_record.hpp"
 #include "tuner/verdict/verdict.hpp"
 
 namespace armtune::internal {
@@ -22,19 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
-
-/// Keys of run.yaml, and the names that they have here.
-constexpr std::pair<const char*, const char*> kOfRun[] = {{"command", "command"},
-                                                          {"study", "study"},
-                                                          {"seed", "seed"},
-                                                          {"date", "date"},
-                                                          {"start", "start gains"},
-                                                          {"evaluations", "evaluations"},
-                                                          {"objective", "objective"},
-                                                          {"feasible", "feasible"},
-                                                          {"engine", "engine"},
-                                                          {"versions/armtune", "version"},
-                                                          {"arithmetic/fingerprint", "arithmetic"}};
 
 bool has(const fs::path& file) {
   std::error_code ignored;
@@ -106,6 +92,33 @@ void add_margins(const std::string& folder, Rows& rows) {
   }
 }
 
+/// Returns the hash that gains.yaml had when the run wrote it; empty if the record does not tell it.
+std::string hash_of_gains(const RunRecord& run) {
+  if (run.tuned) return run.tuned->gains_hash;
+  return run.simulation ? run.simulation->gains_hash : std::string();
+}
+
+/// Adds how the gains were found. with_figures: true adds what the search found about them.
+void add_run(const RunRecord& run, bool with_figures, Rows& rows) {
+  rows.emplace_back("command", run.command);
+  rows.emplace_back("seed", fmt::format("{}", run.seed));
+  rows.emplace_back("date", run.date);
+  if (run.search) {
+    rows.emplace_back("study", run.search->study);
+    rows.emplace_back("start gains", run.search->start);
+    rows.emplace_back("evaluations", fmt::format("{}", run.search->evaluations));
+    rows.emplace_back("engine of the search", name(run.search->engine));
+  }
+  if (run.tuned && with_figures) {
+    if (run.tuned->objective) rows.emplace_back("objective", fmt::format("{}", *run.tuned->objective));
+    rows.emplace_back("feasible", run.tuned->feasible ? "true" : "false");
+  }
+  if (run.simulation) rows.emplace_back("engine", name(run.simulation->engine));
+  rows.emplace_back("version", armtune_version(run));
+  rows.emplace_back("arithmetic", run.arithmetic.fingerprint);
+  std::erase_if(rows, [](const auto& row) { return row.second.empty(); });
+}
+
 }  // namespace
 
 std::string failed_checks(const std::string& folder) {
@@ -122,43 +135,33 @@ std::string run_above(const std::string& path) {
   constexpr int kLevels = 3;
   fs::path folder = absolute_path(path);
   for (int level = 0; level < kLevels; ++level, folder = folder.parent_path()) {
-    if (has(folder / "run.yaml") && has(folder / "study.yaml")) return folder.string();
+    if (has(folder / kRunRecord) && has(folder / "study.yaml")) return folder.string();
   }
   return {};
 }
 
 Rows origin_of_run(const std::string& folder, bool with_figures) {
   Rows rows;
-  const auto run = find_run_file(folder, "run.yaml");
-  const Rows all = run ? report::read_provenance(*run) : Rows{};
+  const auto run = find_run_record(folder);
   const auto gains = find_run_file(folder, "gains.yaml");
   const std::string hash = gains ? hash_of_input(*gains) : std::string();
-  const auto is_changed = [&hash](const auto& entry) {
-    return entry.first == "gains_file" && !hash.empty() && entry.second != hash;
-  };
-  const bool changed = std::any_of(all.begin(), all.end(), is_changed);
+  const std::string written = run ? hash_of_gains(*run) : std::string();
+  const bool changed = !written.empty() && !hash.empty() && written != hash;
   const bool figures = with_figures && !changed;
   if (changed) {
     rows.emplace_back("warning",
                       "gains.yaml was changed after the run, so objective, limits and margins of the run do "
                       "not apply; simulate these gains");
   }
-  for (const auto& [key, what] : kOfRun) {
-    const bool of_best = std::string_view(key) == "objective" || std::string_view(key) == "feasible";
-    for (const auto& [name, value] : all) {
-      if (name == key && (figures || !of_best)) rows.emplace_back(what, value);
-    }
-  }
-  if (figures && !all.empty()) {
+  if (run) add_run(*run, figures, rows);
+  if (figures && run) {
     add_checks(folder, rows);
     add_limits(folder, rows);
     add_margins(folder, rows);
   }
   if (!hash.empty()) rows.emplace_back("gains file", hash);
-  constexpr std::string_view kInput = "inputs/";
-  for (const auto& [name, value] : all) {
-    if (name.starts_with(kInput)) rows.emplace_back("input " + name.substr(kInput.size()), value);
-  }
+  if (!run) return rows;
+  for (const InputFact& input : run->inputs) rows.emplace_back("input " + input.path, input.hash);
   return rows;
 }
 

@@ -39,8 +39,10 @@ Eigen::MatrixXd read_coefficients(const yaml::Node& node, const std::vector<std:
     if (j == 0)
       coefficients.resize(static_cast<Eigen::Index>(joints.size()), static_cast<Eigen::Index>(values.size()));
     if (values.empty() || static_cast<Eigen::Index>(values.size()) != coefficients.cols()) {
-      entry.fail(fmt::format("has {} numbers; every joint needs the same number of harmonics, at least one",
-                             values.size()));
+      const std::string limit = "the same number of harmonics for every joint, at least one";
+      entry.fail(InputFault{.problem = fmt::format("has {} numbers", values.size()),
+                            .value = std::to_string(values.size()),
+                            .limit = limit});
     }
     coefficients.row(static_cast<Eigen::Index>(j)) =
         Eigen::Map<const Eigen::RowVectorXd>(values.data(), coefficients.cols());
@@ -91,12 +93,16 @@ Excitation load_excitation(const std::string& path, const std::vector<std::strin
   e.sine = read_coefficients(map.required("sine"), joints);
   const yaml::Node& cosine = map.required("cosine");
   e.cosine = read_coefficients(cosine, joints);
-  if (e.cosine.cols() != e.sine.cols()) cosine.fail("must have as many harmonics as 'sine'");
+  if (e.cosine.cols() != e.sine.cols())
+    cosine.fail(InputFault{
+        .problem = fmt::format("has {} harmonics, but 'sine' has {}", e.cosine.cols(), e.sine.cols()),
+        .value = fmt::to_string(e.cosine.cols()),
+        .limit = "as many as 'sine'"});
   if (e.frequency * static_cast<double>(e.sine.cols()) > kFastestHarmonic) {
-    cosine.fail(
-        fmt::format("{} harmonics of the base frequency {} Hz are too fast; the highest frequency "
-                    "may be {} Hz",
-                    e.sine.cols(), e.frequency, kFastestHarmonic));
+    cosine.fail(InputFault{.problem = fmt::format("{} harmonics of the base frequency {} Hz are too fast",
+                                                  e.sine.cols(), e.frequency),
+                           .value = fmt::to_string(e.sine.cols()),
+                           .limit = fmt::format("a highest frequency of at most {} Hz", kFastestHarmonic)});
   }
   map.finish();
   return e;

@@ -23,12 +23,16 @@ constexpr int kRandomStarts = 50;
 /// Weight of the violation in the cost, log(condition) + weight * violation.
 constexpr double kPenalty = 50.0;
 
-/// Returns the sum of the violations of all limits; 0 if every limit is kept. Violations of effort, velocity
-/// and amplitude are relative to the allowed value, those of position and height are in rad or m.
+/// The design keeps this much more than the required distances, because the arm moves between the instants
+/// [m].
+constexpr double kSpareDistance = 0.01;
+
+/// Returns the sum of the violations of all limits; 0 if every limit is kept. Violations of effort, velocity,
+/// amplitude and distances are relative to the allowed value, those of position and height are in rad or m.
 double violation(const ExcitationUse& use, const ExcitationOptions& o) {
   return std::max(0.0, use.effort_ratio / o.margin - 1.0) + std::max(0.0, -use.position_margin) +
          std::max(0.0, o.min_height - use.lowest) + std::max(0.0, use.velocity_ratio / o.margin - 1.0) +
-         std::max(0.0, use.distance / o.amplitude - 1.0);
+         std::max(0.0, use.distance / o.amplitude - 1.0) + use.shortfall;
 }
 
 /// The instants at which a trajectory is evaluated: the fade-in and one whole period, evenly spaced, and the
@@ -65,6 +69,7 @@ class Designer {
     return 2 * static_cast<std::size_t>(model_.n()) * static_cast<std::size_t>(options_.harmonics);
   }
   const BaseParameters& base() const { return base_; }
+  const JointVector& center() const { return options_.center; }
 
   /// Returns the trajectory whose coefficients are x, numbers from 0 to 1. Each joint's series is scaled
   /// until it nearly touches its velocity margin, its amplitude or a position limit.
@@ -90,7 +95,7 @@ class Designer {
   }
 
   double cost(const std::vector<double>& x) const {
-    const ExcitationUse use = use_of(at(x), model_, base_);
+    const ExcitationUse use = use_of(at(x), model_, base_, options_.kept);
     return std::log(std::min(use.condition, 1e12)) + kPenalty * violation(use, options_);
   }
 
@@ -179,44 +184,56 @@ class LimitsInUse {
 
 void check(const RobotModel& model, const ExcitationOptions& o) {
   if (o.center.size() != 0 && o.center.size() != model.n()) {
-    throw InputError(fmt::format("the centre has {} values, but {} has {} joints", o.center.size(),
-                                 model.name, model.n()));
+    throw InputError(
+        InputPlace{.key = "center"},
+        fmt::format("the centre has {} values, but {} has {} joints", o.center.size(), model.name, model.n()))
+        .with_value(std::to_string(o.center.size()), fmt::format("{} values", model.n()));
   }
   for (Eigen::Index i = 0; i < o.center.size(); ++i) {
     const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
     if (joint.limits.has_position &&
         !(o.center[i] > joint.limits.lower && o.center[i] < joint.limits.upper)) {
-      throw InputError(fmt::format(
-          "the centre of the trajectory places {} at {:.4g}, which is not inside its limits {:.4g} .. "
-          "{:.4g}",
-          joint.name, o.center[i], joint.limits.lower, joint.limits.upper));
+      throw InputError(
+          InputPlace{.key = "center/" + joint.name},
+          fmt::format("the centre of the trajectory places {} at {:.4g}, which is not inside its limits "
+                      "{:.4g} .. {:.4g}",
+                      joint.name, o.center[i], joint.limits.lower, joint.limits.upper))
+          .with_value(fmt::format("{:.4g}", o.center[i]),
+                      fmt::format("{:.4g} to {:.4g}", joint.limits.lower, joint.limits.upper));
     }
   }
   if (o.frequency * o.harmonics > kFastestHarmonic) {
-    throw InputError(fmt::format(
-        "with {} harmonics of the base frequency {} Hz the motion is too fast: the highest harmonic "
-        "must not exceed {} Hz; give fewer harmonics or a lower base frequency",
-        o.harmonics, o.frequency, kFastestHarmonic));
+    throw InputError(
+        InputPlace{.key = "harmonics"},
+        fmt::format("with {} harmonics of the base frequency {} Hz the motion is too fast: the highest "
+                    "harmonic must not exceed {} Hz; give fewer harmonics or a lower base frequency",
+                    o.harmonics, o.frequency, kFastestHarmonic))
+        .with_value(fmt::to_string(o.harmonics), fmt::format("at most {} Hz", kFastestHarmonic));
   }
   if (o.fade > 0.5 * o.duration)
     throw InputError(
+        InputPlace{.key = "fade"},
         fmt::format("fade-in and fade-out of {} s each do not fit in a duration of {} s; shorten the fade or "
                     "lengthen the duration",
-                    o.fade, o.duration));
+                    o.fade, o.duration))
+        .with_value(fmt::to_string(o.fade), fmt::format("at most {} s", 0.5 * o.duration));
 }
 
 }  // namespace
 
-ExcitationUse use_of(const Excitation& e, const RobotModel& model, const BaseParameters& base) {
+ExcitationUse use_of(const Excitation& e, const RobotModel& model, const BaseParameters& base,
+                     const KeptDistances& kept) {
   const int n = model.n();
   const Instants instants(e);
   LimitsInUse limits(model, e.center);
+  DistanceTally distances(kept, e.center, kSpareDistance);
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(instants.main.size()) * n, base.rank());
   SlotineLi motion;
   Regressor Y;
   for (std::size_t k = 0; k < instants.main.size(); ++k) {
     const MotionPoint<JointVector> point = e.at(instants.main[k]);
     const Poses& poses = limits.look_at(point);
+    distances.see(instants.main[k], point.position);
     slotine_li_forward(model.chain, poses, point.velocity, point.velocity, point.acceleration, motion);
     slotine_li_regressor(model.chain, poses, motion, Y);
     for (int b = 0; b < base.rank(); ++b) {
@@ -224,9 +241,14 @@ ExcitationUse use_of(const Excitation& e, const RobotModel& model, const BasePar
           Y.col(base.independent[static_cast<std::size_t>(b)]);
     }
   }
-  for (const double t : instants.fade_out) limits.look_at(e.at(t));
+  for (const double t : instants.fade_out) {
+    const MotionPoint<JointVector> point = e.at(t);
+    limits.look_at(point);
+    distances.see(t, point.position);
+  }
 
   ExcitationUse use = limits.use();
+  use.shortfall = distances.shortfall();
   const Eigen::VectorXd length = rows.colwise().norm().cwiseMax(1e-12);
   Eigen::MatrixXd gram = rows.transpose() * rows;
   gram = length.cwiseInverse().asDiagonal() * gram * length.cwiseInverse().asDiagonal();
@@ -236,10 +258,35 @@ ExcitationUse use_of(const Excitation& e, const RobotModel& model, const BasePar
   return use;
 }
 
+namespace {
+
+/// Throws InputError if the best trajectory breaks a limit, or keeps the distances only without any motion.
+void refuse_broken_limits(const ExcitationDesign& design, const ExcitationOptions& options) {
+  if (design.scale == 0.0)
+    throw InputError(
+        InputPlace{.key = "center"},
+        "every trajectory around this centre comes too near to a contact; move the centre, or give another "
+        "--clearance");
+  if (!(violation(design.use, options) > design.use.shortfall)) return;
+  throw InputError(
+      InputPlace{.key = "center"},
+      fmt::format(
+          "no trajectory around this centre keeps the limits. The best one uses {:.3g} of the effort limits "
+          "and {:.3g} of the velocity limits (at most {} is allowed). It moves up to {:.3g} rad or m from the "
+          "centre (at most {} is allowed). Its least distance to a position limit is {:.3g} rad or m, and its "
+          "least height is {:.3g} m (at least {} is required). Move the centre, lower the amplitude or the "
+          "frequency, or raise --margin",
+          design.use.effort_ratio, design.use.velocity_ratio, options.margin, design.use.distance,
+          options.amplitude, design.use.position_margin, design.use.lowest, options.min_height));
+}
+
+}  // namespace
+
 ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOptions& options,
                                    const std::atomic<bool>& stop) {
   check(model, options);
   const Designer designer(model, options);
+  check_distances_at(designer.center(), options.kept);
   ExcitationDesign design;
   std::mt19937_64 generator(options.seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -277,18 +324,12 @@ ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOpti
   solver.seed = options.seed;
   minimize(problem, solver);
 
-  design.excitation = designer.at(best);
-  design.use = use_of(design.excitation, model, designer.base());
-  if (violation(design.use, options) > 0.0 && !stop) {
-    throw InputError(fmt::format(
-        "no trajectory around this centre keeps the limits. The best one uses {:.3g} of the effort limits "
-        "and {:.3g} of the velocity limits (at most {} is allowed). It moves up to {:.3g} rad or m from the "
-        "centre (at most {} is allowed). Its least distance to a position limit is {:.3g} rad or m, and its "
-        "least height is {:.3g} m (at least {} is required). Move the centre, lower the amplitude or the "
-        "frequency, or raise --margin",
-        design.use.effort_ratio, design.use.velocity_ratio, options.margin, design.use.distance,
-        options.amplitude, design.use.position_margin, design.use.lowest, options.min_height));
-  }
+  const Excitation found = designer.at(best);
+  design.excitation = shrunk_to_keep(found, options.kept);
+  design.scale = design.excitation.sine.norm() / found.sine.norm();
+  design.use = use_of(design.excitation, model, designer.base(), options.kept);
+  design.distances = distances_along(design.excitation, options.kept);
+  if (!stop) refuse_broken_limits(design, options);
   return design;
 }
 

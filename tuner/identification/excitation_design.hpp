@@ -8,6 +8,7 @@
 #include "core/robot/robot_model.hpp"
 #include "tuner/identification/base_parameters.hpp"
 #include "tuner/identification/excitation.hpp"
+#include "tuner/identification/excitation_clearance.hpp"
 
 namespace armtune::internal {
 
@@ -20,6 +21,7 @@ struct ExcitationOptions {
   double amplitude = 1.0;    ///< largest distance from the centre [rad, m]
   double margin = 0.8;       ///< share of the velocity and effort limits that may be used
   double min_height = -1e9;  ///< least height of the tool and of the third and later joints' origins [m]
+  KeptDistances kept;        ///< distances that the motion keeps
   long evaluations = 20000;
   std::uint64_t seed = 1;
   std::function<void(long evaluations, double condition)> progress;
@@ -34,19 +36,25 @@ struct ExcitationUse {
   double velocity_ratio = 0.0;
   double effort_ratio = 0.0;  ///< from the inverse dynamics of the model
   double lowest = 0.0;        ///< least height of the points that `min_height` limits [m]
+  double shortfall = 0.0;     ///< of distances, with 1 cm to spare; see DistanceTally::shortfall
 };
 
-ExcitationUse use_of(const Excitation& excitation, const RobotModel& model, const BaseParameters& base);
+/// Evaluates the trajectory at 20 instants of each period of its highest harmonic.
+ExcitationUse use_of(const Excitation& excitation, const RobotModel& model, const BaseParameters& base,
+                     const KeptDistances& kept = {});
 
 struct ExcitationDesign {
   Excitation excitation;
   ExcitationUse use;
+  DistancesAlong distances;       ///< along the whole trajectory
+  double scale = 1.0;             ///< factor by which amplitudes were reduced to keep the distances
   double random_condition = 0.0;  ///< condition number of the best random trajectory
   long evaluations = 0;
 };
 
-/// Returns the best trajectory found. Throws InputError if the options do not fit the arm, or if no
-/// trajectory around the centre keeps the limits.
+/// Returns the best trajectory found. Throws InputError if the options do not fit the arm, if the centre is
+/// nearer to a contact than allowed, or if no trajectory around the centre keeps the limits and the
+/// distances.
 ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOptions& options,
                                    const std::atomic<bool>& stop);
 

@@ -62,7 +62,8 @@ void check_following(const RobotModel& model, double error, double time) {
       InputPlace{model.source},
       fmt::format("the simulated arm is {:.3g} rad or m off the trajectory at {:.3f} s; its parameters "
                   "differ too much from the robot file, or the effort limits are too low",
-                  error, time));
+                  error, time))
+      .with_value(fmt::format("{:.3g}", error), fmt::format("at most {} rad or m", kLost));
 }
 
 }  // namespace

@@ -146,7 +146,8 @@ class Passes {
           InputPlace{logs_[i]},
           fmt::format("{} samples with a period of {:.4g} s are too few for the filters at a cutoff of "
                       "{} Hz; log longer or raise --cutoff",
-                      stream.samples(), log.period(), options_.rows.cutoff));
+                      stream.samples(), log.period(), options_.rows.cutoff))
+          .with_value(std::to_string(stream.samples()), "enough samples for the filters");
     }
   }
 
@@ -154,7 +155,9 @@ class Passes {
     if (fitted_.count() * model_.n() <= base_.rank()) {
       throw InputError(InputPlace{logs_.front()},
                        fmt::format("{} equations are too few to identify {} base parameters; log longer",
-                                   fitted_.count() * model_.n(), base_.rank()));
+                                   fitted_.count() * model_.n(), base_.rank()))
+          .with_value(std::to_string(fitted_.count() * model_.n()),
+                      fmt::format("more than {} equations", base_.rank()));
     }
     check_motion(model_, instants_.kept(), logs_name(logs_));
     check_units(model_, instants_.kept(), logs_name(logs_));
@@ -174,6 +177,17 @@ class Passes {
   std::vector<std::string> hashes_;
   long samples_ = 0;
 };
+
+/// Returns the physically possible theta that is nearest to the estimate. Throws InputError with the place
+/// `logs` if the estimate determines none.
+PhysicalMinimum fit_theta(const Identification& found, const ParameterVector& prior,
+                          const std::string& logs) {
+  try {
+    return physical_fit(found.base, found.estimate, prior);
+  } catch (const InputError& e) {
+    throw InputError(InputPlace{logs}, e.what());
+  }
+}
 
 Unexplained unexplained(const TorqueMoments& moments, const BaseParameters& base,
                         const ParameterVector& theta, const ParameterVector& file_theta) {
@@ -195,7 +209,7 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
   found.interrupted = stop;
   if (found.interrupted) return found;
   const ParameterVector file_theta = theta_of(model.chain);
-  const PhysicalMinimum fit = physical_fit(found.base, found.estimate, file_theta);
+  const PhysicalMinimum fit = fit_theta(found, file_theta, logs_name(logs));
   found.theta = fit.theta;
   found.made_physical = fit.changed;
   found.fitted = unexplained(passes.fitted(), found.base, found.theta, file_theta);

@@ -16,8 +16,10 @@ std::vector<const yaml::Node*> by_joint(const yaml::Node& node, const std::vecto
   if (node.kind() == yaml::Node::Kind::kSequence) {
     for (const yaml::Node& item : node.items()) values.push_back(&item);
     if (values.size() != joints.size()) {
-      node.fail(fmt::format("has {} entries, but the arm has {} joints: {}", values.size(), joints.size(),
-                            fmt::join(joints, " ")));
+      node.fail(InputFault{.problem = fmt::format("has {} entries, but the arm has {} joints: {}",
+                                                  values.size(), joints.size(), fmt::join(joints, " ")),
+                           .value = std::to_string(values.size()),
+                           .limit = fmt::format("{} entries", joints.size())});
     }
     return values;
   }
@@ -29,7 +31,8 @@ std::vector<const yaml::Node*> by_joint(const yaml::Node& node, const std::vecto
 
 double checked_scale(const yaml::Node& node) {
   const double scale = node.as_number();
-  if (scale == 0.0) node.fail("is 0; a scale is the factor that converts the numbers to SI units");
+  if (scale == 0.0)
+    node.fail("is 0; a scale is the factor that converts the numbers to SI units", "other than 0");
   return scale;
 }
 
@@ -89,7 +92,7 @@ LogColumns load_log_columns(const std::string& path, const RobotModel& model) {
   columns.time.name = map.string("time", columns.time.name);
   if (const yaml::Node* scale = map.optional("time_scale")) {
     columns.time.scale = checked_scale(*scale);
-    if (columns.time.scale < 0.0) scale->fail("is negative; time stamps increase");
+    if (columns.time.scale < 0.0) scale->fail("is negative; time stamps increase", "above zero");
   }
   const yaml::Node* position = map.optional("position");
   const yaml::Node* velocity = map.optional("velocity");

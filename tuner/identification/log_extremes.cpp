@@ -71,8 +71,9 @@ class LimitCheck {
     const double size = high_value(instants_, [&](const LogInstant& at) { return at.q[joint_]; });
     const double largest = std::max(std::abs(info_.limits.lower), std::abs(info_.limits.upper));
     if (size <= kOtherUnit * largest) return;
-    fail(outside(size) + (revolute_ ? hint(size, largest, {{kDegree, "degrees"}}, "position")
-                                    : hint(size, largest, {{1e-3, "millimetres"}}, "position")));
+    fail("position", {outside(size) + (revolute_ ? hint(size, largest, {{kDegree, "degrees"}}, "position")
+                                                 : hint(size, largest, {{1e-3, "millimetres"}}, "position")),
+                      shown(size), position_limits()});
   }
 
   void position() const {
@@ -82,19 +83,23 @@ class LimitCheck {
     const double off = high_value(instants_, [&](const LogInstant& at) { return at.q[joint_] - center; });
     if (off <= half * (1.0 + 2.0 * kOverRange)) return;
     const double size = high_value(instants_, [&](const LogInstant& at) { return at.q[joint_]; });
-    fail(outside(size) +
-         "; check the joint's zero position, the sign and the column of its position, and --robot");
+    fail("position",
+         {outside(size) +
+              "; check the joint's zero position, the sign and the column of its position, and --robot",
+          shown(size), position_limits()});
   }
 
   void velocity() const {
     const double size = high_value(instants_, [&](const LogInstant& at) { return at.qd[joint_]; });
     const double limit = kOverRate * info_.limits.velocity;
     if (size <= limit) return;
-    fail(fmt::format(
-             "its position changes by {:.4g} {}/s, but its velocity limit in the robot file is {:.4g} {}/s",
-             size, unit(), info_.limits.velocity, unit()) +
-         (revolute_ ? hint(size, limit, {{kDegree, "degrees"}}, "position")
-                    : hint(size, limit, {{1e-3, "millimetres"}}, "position")));
+    fail("position",
+         {fmt::format("its position changes by {:.4g} {}/s, but its velocity limit in the robot file is "
+                      "{:.4g} {}/s",
+                      size, unit(), info_.limits.velocity, unit()) +
+              (revolute_ ? hint(size, limit, {{kDegree, "degrees"}}, "position")
+                         : hint(size, limit, {{1e-3, "millimetres"}}, "position")),
+          shown(size), fmt::format("{:.4g} {}/s", info_.limits.velocity, unit())});
   }
 
   void torque() const {
@@ -102,23 +107,25 @@ class LimitCheck {
     const double limit = kOverEffort * info_.limits.effort;
     if (size <= limit) return;
     const double thousandth = some_thousandth_is_felt() ? 1e-3 : 1.0;
-    fail(fmt::format("its {} is {:.4g} {}, but its effort limit in the robot file is {:.4g} {}", effort_.name,
-                     size, effort_.unit, info_.limits.effort, effort_.unit) +
-         hint(size, limit, {{thousandth, effort_.thousandth}}, "torque"));
+    fail("torque", {fmt::format("its {} is {:.4g} {}, but its effort limit in the robot file is {:.4g} {}",
+                                effort_.name, size, effort_.unit, info_.limits.effort, effort_.unit) +
+                        hint(size, limit, {{thousandth, effort_.thousandth}}, "torque"),
+                    shown(size), fmt::format("{:.4g} {}", info_.limits.effort, effort_.unit)});
   }
 
   void torque_is_there() const {
     const auto [low, high] = range([&](const LogInstant& at) { return at.torque[joint_]; });
     if (low == 0.0 && high == 0.0)
-      fail(fmt::format("its {} is 0 in every row; log this signal, or check the torque columns",
-                       effort_.name));
+      fail("torque", {fmt::format("its {} is 0 in every row; log this signal, or check the torque columns",
+                                  effort_.name),
+                      "0"});
     const auto [first, last] = range([&](const LogInstant& at) { return at.q[joint_]; });
     if (high - low > kRounding * std::max(std::abs(low), std::abs(high)) || last - first <= kLeastMotion)
       return;
-    fail(fmt::format(
-        "its {} is {:.4g} {} in every row, although the joint moves; the column may be frozen, or "
-        "of another signal",
-        effort_.name, high, effort_.unit));
+    fail("torque", {fmt::format("its {} is {:.4g} {} in every row, although the joint moves; the column may "
+                                "be frozen, or of another signal",
+                                effort_.name, high, effort_.unit),
+                    shown(high), "a torque that changes with the motion"});
   }
 
  private:
@@ -143,8 +150,15 @@ class LimitCheck {
     return false;
   }
   const char* unit() const { return revolute_ ? "rad" : "m"; }
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(InputPlace{logs_}, fmt::format("joint {}: {}", info_.name, what));
+  static std::string shown(double value) { return fmt::format("{:.4g}", value); }
+  std::string position_limits() const {
+    return fmt::format("{:.4g} to {:.4g} {}", info_.limits.lower, info_.limits.upper, unit());
+  }
+  /// quantity: position or torque, which with the joint's name is the key of the error.
+  [[noreturn]] void fail(const char* quantity, const InputFault& fault) const {
+    throw InputError(InputPlace{logs_, 0, fmt::format("{}/{}", info_.name, quantity)},
+                     fmt::format("joint {}: {}", info_.name, fault.problem))
+        .with_value(fault.value, fault.limit);
   }
 
   const RobotModel& model_;
@@ -172,7 +186,9 @@ void check_motion(const RobotModel& model, const std::vector<LogInstant>& instan
       fmt::format(
           "no joint moves by more than {} rad or m, so that the masses of {} cannot be identified; log a "
           "motion of all joints, for example one from `armtune excite`, or check the position columns",
-          kLeastMotion, model.name));
+          kLeastMotion, model.name))
+      .with_value(fmt::format("{:.4g}", (highest - lowest).maxCoeff()),
+                  fmt::format("above {} rad or m", kLeastMotion));
 }
 
 void check_units(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs) {

@@ -69,7 +69,9 @@ LogFile::LogFile(const std::string& path, const LogColumns& columns)
 
 void LogFile::read_header() {
   do {
-    if (!lines_.next()) throw InputError(InputPlace{path_}, "is empty; a log begins with column names");
+    if (!lines_.next())
+      throw InputError(InputPlace{path_}, "is empty; a log begins with column names")
+          .with_value({}, "a line of column names");
   } while (is_blank(lines_.text()));
   header_line_ = lines_.number();
   std::string_view line = lines_.text();
@@ -93,7 +95,8 @@ std::size_t LogFile::place_of(const LogColumn& column) const {
           fmt::format(
               "there is no column '{}', because the first line holds numbers and no names; add a line of "
               "names, or call the {} columns \"1\", \"2\" and so on in a column map (--columns FILE)",
-              column.name, header_.size()));
+              column.name, header_.size()))
+          .with_value({}, fmt::format("a column '{}'", column.name));
     }
     throw InputError(
         at_line(path_, header_line_, column.name),
@@ -144,20 +147,24 @@ void LogFile::check_rate(double duration, long steps) const {
   const double mean = duration / static_cast<double>(steps);
   if (std::abs(mean - period_) <= (kDrift + 2.0 * kJitter / static_cast<double>(steps)) * period_) return;
   throw InputError(
-      at_line(path_, lines_.number()),
+      at_line(path_, lines_.number(), columns_.time.name),
       fmt::format("up to this line the mean time step is {:.6g} s, but at the start of the log it is "
                   "{:.6g} s; the filters need one rate (within {} %), so resample the log",
-                  mean, period_, 100.0 * kDrift));
+                  mean, period_, 100.0 * kDrift))
+      .with_value(fmt::format("{:.6g}", mean),
+                  fmt::format("one rate: {:.6g} s within {} %", period_, 100.0 * kDrift));
 }
 
 void LogFile::check_step(double step, long line) const {
   if (std::abs(step - period_) < kJitter * period_) return;
   throw InputError(
-      at_line(path_, line),
+      at_line(path_, line, columns_.time.name),
       fmt::format("a step of {:.6g} s, but the mean step is {:.6g} s; the filters need equal steps "
                   "(within {} %). Resample the log, or split it where samples are missing and give both "
                   "parts",
-                  step, period_, 100.0 * kJitter));
+                  step, period_, 100.0 * kJitter))
+      .with_value(fmt::format("{:.6g}", step),
+                  fmt::format("equal steps: {:.6g} s within {} %", period_, 100.0 * kJitter));
 }
 
 bool LogFile::read_row() {
@@ -166,7 +173,8 @@ bool LogFile::read_row() {
     const long empty = lines_.number();
     while (lines_.next()) {
       if (!is_blank(lines_.text()))
-        throw InputError(at_line(path_, empty), "an empty line inside the log; remove it");
+        throw InputError(at_line(path_, empty), "an empty line inside the log; remove it")
+            .with_value({}, "a row of numbers");
     }
     return false;
   }
@@ -175,7 +183,8 @@ bool LogFile::read_row() {
     const std::string_view line = lines_.text();
     if (std::count(line.begin(), line.end(), '"') % 2 != 0) {
       throw InputError(at_line(path_, lines_.number()),
-                       "a quoted text spans several lines; remove its column, or the line breaks inside it");
+                       "a quoted text spans several lines; remove its column, or the line breaks inside it")
+          .with_value({}, "texts of one line");
     }
     throw InputError(at_line(path_, lines_.number()),
                      fmt::format("has {} cells, but the first line has {}; the log may have been cut off",

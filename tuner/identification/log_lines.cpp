@@ -22,7 +22,8 @@ LogLines::LogLines(const std::string& path) : path_(path), buffer_(kMaxLineBytes
   const auto status = std::filesystem::status(path, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     throw InputError(InputPlace{path},
-                     "is not a regular file; a log is read more than once, so save it to a file first");
+                     "is not a regular file; a log is read more than once, so save it to a file first")
+        .with_value({}, "a regular file");
   }
   file_.open(path, std::ios::binary);
   if (!file_)
@@ -37,7 +38,8 @@ bool LogLines::fill() {
   begin_ = 0;
   if (end_ == buffer_.size()) {
     throw InputError(at_line(path_, number_ + 1),
-                     "this line has more than 1 MB; a log has one row of numbers on each line");
+                     "this line has more than 1 MB; a log has one row of numbers on each line")
+        .with_value({}, "lines of at most 1 MB");
   }
   file_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
   if (file_.bad()) throw InputError(at_line(path_, number_ + 1), "cannot be read");

@@ -48,7 +48,10 @@ std::string time_unit_hint(double period) {
 
 double checked(const RowOptions& options, const LogFile& log) {
   if (!(options.cutoff > 0.0))
-    throw InputError(fmt::format("--cutoff is {} Hz; it must be above zero", options.cutoff));
+    throw InputError(InputPlace{.key = "--cutoff"},
+                     {.problem = fmt::format("the cutoff is {} Hz", options.cutoff),
+                      .value = fmt::to_string(options.cutoff),
+                      .limit = "above zero"});
   const double rate = 1.0 / log.period();
   if (2.0 * options.cutoff > kWidest * rate) {
     throw InputError(
@@ -56,7 +59,9 @@ double checked(const RowOptions& options, const LogFile& log) {
         fmt::format(
             "{:.4g} samples per second are too few for a cutoff of {} Hz; the cutoff may be at most {:.3g} "
             "Hz{}",
-            rate, options.cutoff, 0.5 * kWidest * rate, time_unit_hint(log.period())));
+            rate, options.cutoff, 0.5 * kWidest * rate, time_unit_hint(log.period())))
+        .with_value(fmt::to_string(options.cutoff),
+                    fmt::format("a cutoff of at most {:.3g} Hz", 0.5 * kWidest * rate));
   }
   return std::min(kWide * options.cutoff, kWidest * rate);
 }
@@ -107,8 +112,11 @@ RowStream::RowStream(const RobotModel& model, const BaseParameters& base, LogFil
   const double longest = 0.1 * low_pass_half_length(checked(options, log));
   if (!(std::abs(options.torque_delay) <= longest)) {
     throw InputError(
-        fmt::format("--torque-delay is {} s; with this --cutoff it must lie between -{:.3g} and {:.3g} s",
-                    options.torque_delay, longest, longest));
+        InputPlace{.key = "--torque-delay"},
+        fmt::format("the delay is {} s; with this --cutoff it must lie between -{:.3g} and {:.3g} s",
+                    options.torque_delay, longest, longest))
+        .with_value(fmt::to_string(options.torque_delay),
+                    fmt::format("-{:.3g} to {:.3g} s", longest, longest));
   }
   instants_.begin_log(norm_of_both(torque_filter_, row_filter_, motion_step_));
 }
@@ -143,12 +151,14 @@ void RowStream::check_velocities() const {
     if (squares < kSlow * kSlow * static_cast<double>(compared_)) continue;
     const double slope = velocity_products_[i] / squares;
     if (std::abs(slope - 1.0) < kVelocityMismatch) continue;
+    const std::string& joint = model_.joints[static_cast<std::size_t>(i)].name;
     throw InputError(
-        InputPlace{log_.path()},
+        InputPlace{log_.path(), 0, joint + "/velocity"},
         fmt::format(
             "the velocity of {} is {:.3g} times the derivative of its position; check units, signs and "
             "columns, or leave the velocities out of the column map (--columns FILE)",
-            model_.joints[static_cast<std::size_t>(i)].name, slope));
+            joint, slope))
+        .with_value(fmt::format("{:.3g}", slope), "1 times the derivative of the position");
   }
 }
 

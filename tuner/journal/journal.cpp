@@ -59,11 +59,13 @@ RunHeader read_header(JournalLines& lines, const std::string& path) {
   while (lines.next()) {
     const auto payload = lines.payload();
     if (!payload && first)
-      throw InputError(InputPlace{path}, "this is not an armtune journal, or its start is damaged");
+      throw InputError(InputPlace{path}, "this is not an armtune journal, or its start is damaged")
+          .with_value({}, std::string(kFormat));
     if (!payload) {
       throw InputError(at_line(path, lines.number()),
                        "the header of the journal is damaged, so the run cannot be resumed; start it "
-                       "again");
+                       "again")
+          .with_value({}, "a whole header");
     }
     std::string_view rest = *payload;
     const std::string_view kind = first_word(rest);
@@ -72,7 +74,8 @@ RunHeader read_header(JournalLines& lines, const std::string& path) {
         throw InputError(
             InputPlace{path},
             fmt::format("the format is {}, not '{}'; another version of armtune wrote this journal",
-                        shown(*payload), kFormat));
+                        shown(*payload), kFormat))
+            .with_value(std::string(*payload), std::string(kFormat));
       }
       first = false;
     } else if (kind == kHeaderEnd) {
@@ -88,7 +91,8 @@ RunHeader read_header(JournalLines& lines, const std::string& path) {
   }
   throw InputError(InputPlace{path},
                    "the header is incomplete, because the run was killed at its start; delete the folder and "
-                   "start the run again");
+                   "start the run again")
+      .with_value({}, "a whole header");
 }
 
 }  // namespace
@@ -146,15 +150,16 @@ std::string Journal::read(const RunHeader& now) {
   long damaged = 0;  // number of the first damaged line; 0: none yet
   long damaged_place = 0;
   long records = 0;
-  const auto refuse = [&](const std::string& what) {
+  const auto refuse = [&] {
     throw InputError(
         at_line(path_, damaged),
-        fmt::format("record {} {}. A kill is not the cause, because it damages only the last record. "
-                    "Restore the file from a backup, or start the run again",
-                    records, what));
+        fmt::format("record {} is damaged (its checksum is wrong). A kill is not the cause, because it "
+                    "damages only the last record. Restore the file from a backup, or start the run again",
+                    records))
+        .with_value({}, "a line with the right checksum");
   };
   while (lines.next()) {
-    if (damaged != 0) refuse("is damaged (its checksum is wrong)");
+    if (damaged != 0) refuse();
     const auto payload = lines.payload();
     if (!payload) {
       damaged = lines.number();

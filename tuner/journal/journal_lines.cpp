@@ -76,7 +76,8 @@ void JournalLines::read_line() {
           at_line(path_, number_ + 1),
           fmt::format("this line has more than {} MB; the file is not an armtune journal, or it is "
                       "damaged",
-                      kMaxLine >> 20));
+                      kMaxLine >> 20))
+          .with_value({}, fmt::format("lines of at most {} MB", kMaxLine >> 20));
     }
     line_ += static_cast<char>(byte);
   }

@@ -23,7 +23,7 @@ inline std::size_t index_of_word(const yaml::Node& node, const std::vector<std::
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   std::string all;
   for (const std::string& allowed : words) all += (all.empty() ? "" : ", ") + allowed;
-  node.fail("'" + word + "' is not an allowed word; expected one of " + all);
+  node.fail("'" + word + "' is not an allowed word; expected one of " + all, "one of: " + all);
 }
 
 /// A visitor that reads the members that `declare` visits. It skips values that are computed from others.

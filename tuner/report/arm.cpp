@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "sim/cell/mesh_file.hpp"
 #include "sim/cell/mesh_path.hpp"
-#include "sim/cell/stl_file.hpp"
 #include "tuner/report/base64.hpp"
 
 namespace armtune::internal::report {
@@ -53,10 +53,11 @@ std::optional<ArmShape> drawn(const Shape& shape, const std::string& urdf, std::
   ArmShape result{shape.body, pose_of(shape.R_BS, shape.p_BS), shape.kind, size_of(shape), {}};
   if (shape.kind != ShapeKind::kMesh) return result;
   const auto path = mesh_path(shape.file, urdf);
-  const auto corners = path ? read_binary_stl(*path, triangles_left) : std::nullopt;
-  if (!corners) return std::nullopt;
-  triangles_left -= corners->size() / 9;
-  result.triangles = base64_f32(*corners);
+  if (!path) return std::nullopt;
+  const Mesh mesh = read_mesh(*path, triangles_left);
+  if (!mesh.refusal.empty()) return std::nullopt;
+  triangles_left -= mesh.corners.size() / 9;
+  result.triangles = base64_f32(mesh.corners);
   return result;
 }
 

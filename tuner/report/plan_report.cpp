@@ -1,20 +1,21 @@
 #include "tuner/report/plan_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "armtune/error.hpp"
 #include "tuner/report/nearest_obstacles.hpp"
 #include "tuner/report/plan_recording.hpp"
-#include "tuner/report/provenance.hpp"
+#include "tuner/report/record_entries.hpp"
 #include "tuner/report/run_report.hpp"
 #include "tuner/report/shorten.hpp"
 #include "tuner/report/title.hpp"
 #include "tuner/report/words.hpp"
 #include "tuner/run/run_file.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal::report {
 namespace {
@@ -23,15 +24,20 @@ constexpr std::size_t kMostNamed = 2;     // limits named in the sentence
 constexpr double kBeyond = 1.001;         // share of a limit that is mentioned
 constexpr double kReplaySamples = 250.0;  // per replay, if there are as many rows
 
-/// Entries of run.yaml about the solution of the plan, with the words that the page shows.
-constexpr std::pair<const char*, const char*> kFigures[] = {
-    {"phases", "phases"},
-    {"knots", "knots of the time grid"},
-    {"violation", "largest constraint violation, relative to the limit"},
-    {"kkt_stationarity", "KKT residual: stationarity"},
-    {"kkt_complementarity", "KKT residual: complementarity"},
-    {"interior_point_steps", "interior-point steps on all grids"},
-    {"wall_seconds", "wall clock seconds"}};
+/// Returns the solution of the plan in numbers, with the words that the page shows.
+std::vector<std::pair<std::string, std::string>> figures_of(const PlanFacts& plan, double wall_seconds) {
+  std::vector<std::string> phases;
+  phases.reserve(plan.phases.size());
+  for (const PhaseFact& phase : plan.phases)
+    phases.push_back(fmt::format("{} {:.6g} s", phase.name, phase.duration));
+  return {{"phases", fmt::format("{}", fmt::join(phases, ", "))},
+          {"knots of the time grid", fmt::format("{}", plan.knots)},
+          {"largest constraint violation, relative to the limit", fmt::format("{:.3g}", plan.violation)},
+          {"KKT residual: stationarity", fmt::format("{:.3g}", plan.stationarity)},
+          {"KKT residual: complementarity", fmt::format("{:.3g}", plan.complementarity)},
+          {"interior-point steps on all grids", fmt::format("{}", plan.interior_point_steps)},
+          {"wall clock seconds", fmt::format("{:.3f}", wall_seconds)}};
+}
 
 class PlanAssembly {
  public:
@@ -41,7 +47,7 @@ class PlanAssembly {
   }
 
   ReportData make() {
-    part([this] { read_run(); });
+    part([this] { read_record(); });
     part([this] { scene_ = read_scene(file("scene.json")); });
     data_.arms = scene_.arms;
     data_.sets = {"plan"};
@@ -75,22 +81,20 @@ class PlanAssembly {
   /// Throws InputError if the file is missing or outside the folder.
   std::string file(const std::string& name) const { return run_file(folder_, name); }
 
-  std::string entry(const std::string& key) const { return run_.contains(key) ? run_.at(key) : ""; }
-
   const SceneScenario* scenario() const {
     return scene_.scenarios.empty() ? nullptr : &scene_.scenarios.front();
   }
   const Arm* arm() const { return scenario() == nullptr ? nullptr : &scene_.arms[scenario()->arm]; }
 
-  void read_run() {
-    data_.provenance.entries = read_provenance(file("run.yaml"));
-    for (const auto& [key, value] : data_.provenance.entries) run_[key] = value;
-    data_.provenance.command = entry("command");
-    data_.plan->scenario = entry("scenario");
-    for (const auto& [key, words] : kFigures) {
-      if (const std::string value = entry(key); !value.empty())
-        data_.plan->figures.emplace_back(words, value);
-    }
+  void read_record() {
+    refuse_old_record(folder_);
+    const auto record = find_run_record(folder_);
+    if (!record) throw InputError(InputPlace{folder_ + "/" + kRunRecord}, "there is no such file");
+    data_.provenance = provenance_of(*record);
+    if (!record->plan) return;
+    headline_ = record->plan->headline;
+    data_.plan->scenario = record->plan->scenario;
+    data_.plan->figures = figures_of(*record->plan, record->wall_seconds);
   }
 
   void describe(const SceneScenario& scene, ReportScenario& shown) const {
@@ -171,9 +175,8 @@ class PlanAssembly {
 
   Verdict verdict(const std::vector<PlanLimit>& limits) const {
     Verdict verdict;
-    const std::string headline = entry("headline");
-    verdict.sentence = joined({headline.empty() ? "the numbers of this plan could not be read" : headline,
-                               headline.empty() ? "" : held_back(limits)});
+    verdict.sentence = joined({headline_.empty() ? "the numbers of this plan could not be read" : headline_,
+                               headline_.empty() ? "" : held_back(limits)});
     if (const std::string words = between(limits); !words.empty()) verdict.details.push_back(words);
     if (scene_.arms.empty())
       verdict.details.emplace_back("There is no replay, because the folder has no readable scene.json.");
@@ -183,7 +186,7 @@ class PlanAssembly {
   std::string folder_;
   std::size_t bytes_;
   Scene scene_;
-  std::map<std::string, std::string> run_;  ///< run.yaml
+  std::string headline_;  ///< the result of the plan as a sentence; empty if it is unknown
   ReportData data_;
 };
 

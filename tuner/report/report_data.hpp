@@ -11,10 +11,10 @@
 #include "sim/metrics/metric.hpp"
 #include "tuner/record/declaration.hpp"
 #include "tuner/report/arm.hpp"
-#include "tuner/report/run_kind.hpp"
 #include "tuner/report/scenario_data.hpp"
 #include "tuner/report/search_data.hpp"
 #include "tuner/report/yardstick_rows.hpp"
+#include "tuner/run/run_kind.hpp"
 
 namespace armtune::internal::report {
 

@@ -10,7 +10,6 @@
 #include "core/common/input_place.hpp"
 #include "tuner/report/sections.hpp"
 #include "tuner/report/tables.hpp"
-#include "tuner/robustness/limits.hpp"
 #include "tuner/rollouts/comparison.hpp"
 #include "tuner/samples/statistics.hpp"
 
@@ -19,19 +18,6 @@ namespace {
 
 constexpr std::size_t kMostBins = 40;
 constexpr std::size_t kMostWorst = 20;
-
-std::vector<MetricLimit> limits_from(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ';') {
-      parts.emplace_back();
-    } else if (c != ' ') {
-      parts.back() += c;
-    }
-  }
-  std::erase(parts, "");
-  return parse_limits(parts);
-}
 
 /// Counts the values in bins of equal width from the smallest to the largest value. The number of bins is
 /// about the square root of the number of values, and at most kMostBins.
@@ -118,7 +104,7 @@ long sample_in(const CsvTable& samples, std::size_t row, std::size_t column) {
 
 }  // namespace
 
-Robustness robustness_of(const CsvTable& samples, const std::string& limits,
+Robustness robustness_of(const CsvTable& samples, const std::vector<MetricLimit>& limits,
                          const std::vector<Table>& tables) {
   const std::size_t number = samples.column("sample");
   const std::size_t scenario = samples.column("scenario");
@@ -153,7 +139,7 @@ Robustness robustness_of(const CsvTable& samples, const std::string& limits,
   std::stable_sort(worst.begin(), worst.end(),
                    [rank](const auto& a, const auto& b) { return rank(a.first) > rank(b.first); });
   for (std::size_t i = 0; i < worst.size() && i < kMostWorst; ++i) found.worst.push_back(worst[i].second);
-  add_histograms(samples, limits_from(limits), tables, found);
+  add_histograms(samples, limits, tables, found);
   return found;
 }
 

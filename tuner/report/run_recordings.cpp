@@ -188,9 +188,9 @@ class Recordings {
   /// Returns the largest number of obstacles in a replay. They may take half the bytes of a run. A replay has
   /// at least a hundred samples, if there are as many rows.
   static std::size_t most_obstacles(std::size_t share, std::size_t rows) {
-    constexpr std::size_t kOverhead = 200;  // [bytes] of one obstacle
+    constexpr std::size_t kBytesOfObstacle = 200;  // [bytes] of one obstacle
     constexpr std::size_t kOfSample = 8;
-    return share / 2 / (kOverhead + kOfSample * std::min<std::size_t>(rows, 100));
+    return share / 2 / (kBytesOfObstacle + kOfSample * std::min<std::size_t>(rows, 100));
   }
 
   void tell(const ReportScenario& shown, std::size_t obstacles) {

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "tuner/report/kind_of_folder.hpp"
 #include "tuner/report/plan_report.hpp"
-#include "tuner/report/provenance.hpp"
+#include "tuner/report/record_entries.hpp"
 #include "tuner/report/recording.hpp"
 #include "tuner/report/run_recordings.hpp"
 #include "tuner/report/sections.hpp"
@@ -17,6 +17,7 @@
 #include "tuner/report/title.hpp"
 #include "tuner/report/verdict.hpp"
 #include "tuner/report/words.hpp"
+#include "tuner/robustness/limits.hpp"
 #include "tuner/run/run_file.hpp"
 
 namespace armtune::internal::report {
@@ -32,7 +33,7 @@ class Assembly {
 
   ReportData make() {
     part([this] { facts_.resumable = find("journal.txt").has_value(); });
-    part([this] { read_provenance(); });
+    part([this] { read_record(); });
     part([this] {
       if (const auto path = find("verdict.yaml")) facts_.checks = read_verdict(*path);
     });
@@ -91,18 +92,17 @@ class Assembly {
     const auto path = find(name);
     return path ? std::optional(CsvTable::read(*path)) : std::nullopt;
   }
-  void read_provenance() {
-    const auto path = find("run.yaml");
-    facts_.ended = path.has_value();
-    if (!facts_.ended) return;
-    data_.provenance.entries = report::read_provenance(*path);
-    for (const auto& [key, value] : data_.provenance.entries) facts_.run[key] = value;
-    data_.provenance.command = facts_.entry("command");
+  void read_record() {
+    facts_.ended = true;  // unless the record is missing; an unreadable one belongs to a run that has ended
+    refuse_old_record(folder_);
+    facts_.record = find_run_record(folder_);
+    facts_.ended = facts_.record.has_value();
+    if (facts_.record) data_.provenance = provenance_of(*facts_.record);
   }
 
   std::string title() const {
-    const std::string study = facts_.entry("study");
-    return page_title(report::name(data_.kind), study.empty() ? study : stem(study), folder_);
+    const SearchFacts* search = facts_.search();
+    return page_title(internal::name(data_.kind), search != nullptr ? stem(search->study) : "", folder_);
   }
 
   void read_tables() {
@@ -194,13 +194,25 @@ class Assembly {
     name_start();
     if (data_.kind != RunKind::kRobustness) return;
     if (const auto samples = table_if_any("samples.csv")) {
-      data_.robustness = robustness_of(*samples, facts_.entry("limits"), data_.tables);
+      data_.robustness = robustness_of(*samples, limits_of_arms(), data_.tables);
     }
+  }
+
+  /// Returns the limits that the arms had to keep. Metrics that only another version of armtune has are left
+  /// out.
+  std::vector<MetricLimit> limits_of_arms() const {
+    if (!facts_.record || !facts_.record->robustness) return arm_limits();
+    std::vector<MetricLimit> limits;
+    for (const LimitFact& limit : facts_.record->robustness->limits) {
+      if (const auto metric = metric_from_name(limit.metric))
+        limits.push_back({*metric, limit.upper, limit.value});
+    }
+    return limits;
   }
 
   /// Labels the start as, for example, "start (published)".
   void name_start() {
-    const std::string start = facts_.entry("start");
+    const std::string start = facts_.search() != nullptr ? facts_.search()->start : "";
     if (!data_.front || start.empty()) return;
     for (FrontPoint& point : data_.front->points) {
       if (point.role == "start") point.label = fmt::format("start ({})", start);
@@ -208,15 +220,11 @@ class Assembly {
   }
 
   void read_front() {
-    std::vector<std::string> criteria;
-    std::istringstream words(facts_.entry("criteria"));
-    for (std::string word; words >> word;) criteria.push_back(word);
-    if (criteria.empty()) return;  // killed before run.yaml was written
-    const std::string text = facts_.entry("hypervolume");
+    if (!facts_.record || !facts_.record->front) return;  // killed before run.json was written
+    const FrontFacts& found = *facts_.record->front;
     const auto shown = scene_.sets.empty() ? std::nullopt : scene_.sets.back().point;
-    data_.front = front_of(CsvTable::read(run_file(folder_, "pareto.csv")), criteria,
-                           shown ? std::to_string(*shown) : std::string(),
-                           text.empty() ? std::nullopt : std::optional(std::strtod(text.c_str(), nullptr)));
+    data_.front = front_of(CsvTable::read(run_file(folder_, "pareto.csv")), found.criteria,
+                           shown ? std::to_string(*shown) : std::string(), found.hypervolume);
   }
 
   std::string folder_;

@@ -57,6 +57,8 @@ std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
       return {{"plan", ".", ""}};
     case RunKind::kCompare:
       break;
+    default:  // a run without a page
+      return {};
   }
   std::vector<SceneSet> sets;
   const CsvTable comparison = CsvTable::read(run_file(folder, "comparison.csv"));

@@ -9,7 +9,7 @@
 #include "core/trajectory/path.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "tuner/report/arm.hpp"
-#include "tuner/report/run_kind.hpp"
+#include "tuner/run/run_kind.hpp"
 
 namespace armtune::internal::report {
 

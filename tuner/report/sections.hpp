@@ -4,6 +4,7 @@
 #include "sim/csv/csv_table.hpp"
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/study_facts.hpp"
+#include "tuner/robustness/limits.hpp"
 
 namespace armtune::internal::report {
 
@@ -19,14 +20,14 @@ Evaluations evaluations_of(const CsvTable& table, const std::vector<Gain>& gains
 std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& evaluations,
                                      const std::vector<StudyLimit>& limits);
 
-/// Returns the Pareto front of pareto.csv. criteria: names of the columns with criteria, as in run.yaml;
+/// Returns the Pareto front of pareto.csv. criteria: names of the columns with criteria, as in run.json;
 /// shown: number in pareto.csv of the point that was simulated for the report, empty if there is none.
 Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, const std::string& shown,
                std::optional<double> hypervolume);
 
-/// Returns the results of samples.csv. limits: text in run.yaml, such as "METRIC <= VALUE; METRIC >= VALUE",
-/// or empty; tables: the tables of the nominal arm, may be empty.
-Robustness robustness_of(const CsvTable& samples, const std::string& limits,
+/// Returns the results of samples.csv. limits: limits that the arms had to keep; tables: the tables of the
+/// nominal arm, may be empty.
+Robustness robustness_of(const CsvTable& samples, const std::vector<MetricLimit>& limits,
                          const std::vector<Table>& tables);
 
 /// Returns the gains that a study tunes, with their bounds and with their value in each set's gains.yaml. The

@@ -143,7 +143,7 @@ void shorten(ReportData& data) {
     keep_first(data.robustness->histograms, kMostHistograms, "histograms; summary.csv has the numbers of all",
                data);
   keep_first(data.verdict.details, kMostHistograms, "lines of this list", data);
-  keep_first(data.provenance.entries, kMostRows, "entries of run.yaml", data);
+  keep_first(data.provenance.entries, kMostRows, "entries of run.json", data);
   for (ReportScenario& scenario : data.scenarios)
     keep_first(scenario.limits, kMostRows, "rows of limits.csv", data);
 }

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -24,14 +23,7 @@ std::vector<StudyTerm> headline_terms() {
   return terms;
 }
 
-double number_entry(const VerdictFacts& facts, const std::string& key) {
-  const std::string text = facts.entry(key);
-  double value = NAN;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
-/// Returns the verdict of a run that has no run.yaml yet.
+/// Returns the verdict of a run that has no record yet.
 Verdict of_unfinished(const ReportData& data, const VerdictFacts& facts) {
   Verdict verdict;
   std::string so_far = "nothing was evaluated";
@@ -60,14 +52,15 @@ Verdict of_unfinished(const ReportData& data, const VerdictFacts& facts) {
 Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   const std::size_t tuned = data.sets.size() - 1;
   const std::vector<Table>& tables = data.judged ? data.judged->tables : data.tables;
-  const std::string ended = facts.entry("ended");
-  const double objective = number_entry(facts, "objective");
+  const SearchFacts* search = facts.search();
+  const TunedFacts* found = facts.tuned();
+  const double objective = found != nullptr ? found->objective.value_or(NAN) : NAN;
   const auto all = changes(tables, facts.study ? facts.study->terms : headline_terms(), tuned);
   const auto asked = facts.study ? facts.study->limits : limits_of_arm();
   const auto broken = wrong_with(tables, asked, tuned);
   const auto beside = beyond_arm(tables, asked, tuned);
-  const bool feasible =
-      facts.entry("feasible") == "true" || (facts.entry("feasible").empty() && broken.empty());
+  const bool feasible = found != nullptr ? found->feasible : broken.empty();
+  const bool interrupted = search != nullptr && search->ended == SearchEnd::kInterrupted;
   std::string gain;
   if (!std::isnan(objective)) {
     gain = objective < 1.0
@@ -78,7 +71,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   std::string kept = feasible ? "every constraint holds" : "";
   if (feasible && !beside.empty()) kept += ", but the arm's own limits do not: " + first_of(beside);
   Verdict verdict;
-  verdict.sentence = joined({facts.interrupted() ? "Interrupted before the search was finished" : "",
+  verdict.sentence = joined({interrupted ? "Interrupted before the search was finished" : "",
                              feasible ? "" : "no feasible point was found: the best one breaks a constraint",
                              feasible ? "" : first_of(broken), gain, improvements(all, tables.size()),
                              closest_joint(tables, tuned), kept});
@@ -87,8 +80,9 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
         "Every number here is the {}; the numbers of the nominal arm are below", data.judged->measure));
   }
   if (data.evaluations) {
+    const std::string reason = search != nullptr ? search->reason : "";
     verdict.details.push_back(fmt::format("{} evaluations{}", data.evaluations->objective.size(),
-                                          ended.empty() ? "" : "; " + ended));
+                                          reason.empty() ? "" : "; " + reason));
   }
   add(verdict.details, broken, kMostLines);
   if (beside.size() > 1 || !feasible) add(verdict.details, beside, kMostLines);
@@ -258,7 +252,7 @@ Verdict of_run(const ReportData& data, const VerdictFacts& facts) {
       return of_robustness(data);
     case RunKind::kCompare:
       return of_compare(data);
-    case RunKind::kPlan:  // plan_report.cpp makes its verdict
+    default:  // plan_report.cpp makes the verdict of a plan
       break;
   }
   return {};

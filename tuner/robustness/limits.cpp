@@ -1,6 +1,7 @@
 #include "tuner/robustness/limits.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -10,6 +11,12 @@
 #include "sim/rollout/applies.hpp"
 
 namespace armtune::internal {
+namespace {
+
+/// Key of the errors in the text of a limit, which is not in a file.
+constexpr const char* kLimitKey = "limit";
+
+}  // namespace
 
 std::vector<MetricLimit> arm_limits() {
   std::vector<MetricLimit> limits = {{Metric::kJointVelocityMaxRatio, true, 1.0},
@@ -22,10 +29,11 @@ std::vector<MetricLimit> arm_limits() {
 MetricLimit parse_limit(const std::string& text) {
   const std::size_t place = text.find_first_of("<>");
   if (place == std::string::npos || place + 1 >= text.size() || text[place + 1] != '=') {
-    throw InputError(
-        fmt::format("limit '{}': it must have the form METRIC<=VALUE or METRIC>=VALUE, such as "
-                    "joint_velocity/max_ratio<=0.9",
-                    text));
+    throw InputError(InputPlace{.key = kLimitKey},
+                     fmt::format("'{}' does not have the form METRIC<=VALUE or METRIC>=VALUE, such as "
+                                 "joint_velocity/max_ratio<=0.9",
+                                 text))
+        .with_value(text, "METRIC<=VALUE or METRIC>=VALUE");
   }
   MetricLimit limit;
   const std::string metric = text.substr(0, place);
@@ -33,15 +41,18 @@ MetricLimit parse_limit(const std::string& text) {
   if (!known) {
     std::vector<std::string> names;
     for (const MetricField& field : metric_fields()) names.emplace_back(field.name);
-    throw InputError(
-        fmt::format("limit '{}': there is no metric '{}'{}", text, metric, suggestion(metric, names)));
+    throw InputError(InputPlace{.key = kLimitKey}, fmt::format("there is no metric '{}'{}, which '{}' limits",
+                                                               metric, suggestion(metric, names), text))
+        .with_value(metric, fmt::format("one of: {}", fmt::join(names, ", ")));
   }
   limit.metric = *known;
   limit.upper = text[place] == '<';
   const std::string number = text.substr(place + 2);
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), limit.value);
   if (error != std::errc{} || end != number.data() + number.size() || !std::isfinite(limit.value)) {
-    throw InputError(fmt::format("limit '{}': '{}' is not a finite number", text, number));
+    throw InputError(InputPlace{.key = kLimitKey},
+                     fmt::format("'{}' in '{}' is not a finite number", number, text))
+        .with_value(number, "a finite number");
   }
   return limit;
 }

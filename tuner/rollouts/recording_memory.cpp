@@ -93,14 +93,16 @@ void require_recording_memory(const std::vector<Scenario>& scenarios, int stride
           ? fmt::format(", and the recordings in memory at the same time take {:.3g} GB", all / kGigabyte)
           : std::string();
   throw InputError(
-      InputPlace{scenario.source},
+      InputPlace{scenario.source, 0, "duration"},
       fmt::format(
           "the recording of {} takes {:.3g} GB ({:.3g} s, {:.3g} rows){}, but this process may use only "
           "{:.3g} GB. Shorten 'duration'{}, or record only one in {:.0f} control periods (--record-every if the "
           "command has it, record_every in Python)",
           scenario.name, largest / kGigabyte, scenario.duration, rows(scenario, stride), others,
           usable / kGigabyte, bytes.size() > 1 && use == RecordingUse::kWritten ? ", use fewer workers" : "",
-          std::ceil(stride * all / usable)));
+          std::ceil(stride * all / usable)))
+      .with_value(fmt::format("{:.3g} GB", all / kGigabyte),
+                  fmt::format("at most {:.3g} GB", usable / kGigabyte));
 }
 
 }  // namespace armtune::internal

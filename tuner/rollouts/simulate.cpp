@@ -12,6 +12,23 @@
 #include "tuner/workers/rollout_plan.hpp"
 
 namespace armtune::internal {
+namespace {
+
+/// Throws InputError if two scenarios have the same name.
+void refuse_equal_names(const std::vector<Scenario>& scenarios) {
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (scenarios[i].name != scenarios[k].name) continue;
+      throw InputError(
+          InputPlace{scenarios[i].source},
+          fmt::format("this scenario and {} are both named {}, so results would share a file; rename one",
+                      scenarios[k].source, scenarios[i].name))
+          .with_value(scenarios[i].name, "another name");
+    }
+  }
+}
+
+}  // namespace
 
 std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
                                      const std::function<Gains(const Scenario&)>& gains_of,
@@ -22,15 +39,7 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     results[i].result.status = RolloutStatus::kInterrupted;
     results[i].result.reason = "interrupted before it began";
   }
-  for (std::size_t i = 0; i < scenarios.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (scenarios[i].name == scenarios[k].name) {
-        throw InputError(
-            fmt::format("scenarios {} and {} are both named {}, so results would share a file; rename one",
-                        scenarios[k].source, scenarios[i].source, scenarios[i].name));
-      }
-    }
-  }
+  refuse_equal_names(scenarios);
   if (!options.folder.empty() || options.recorded) {
     require_recording_memory(scenarios, options.record_stride, options.workers,
                              options.recorded ? RecordingUse::kKept : RecordingUse::kWritten);

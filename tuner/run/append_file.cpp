@@ -62,11 +62,12 @@ AppendFile::AppendFile(const std::string& path, Open open, double patience)
     ::close(file_);
     if (open == Open::kNew && reason != EWOULDBLOCK) ::unlink(name.c_str());
     throw InputError(
+        InputPlace{path},
         reason == EWOULDBLOCK
-            ? fmt::format("{}: another process is writing this file; wait for that run, or stop it", path)
-            : fmt::format("{}: cannot lock this file against other processes: {}; use a file system that "
+            ? "another process is writing this file; wait for that run, or stop it"
+            : fmt::format("cannot lock this file against other processes: {}; use a file system that "
                           "supports locks",
-                          path, std::strerror(reason)));
+                          std::strerror(reason)));
   }
   if (open == Open::kNew) sync_folder_of(path);
 }

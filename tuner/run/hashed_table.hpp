@@ -1,5 +1,5 @@
 #pragma once
-// Reads a CSV file that armtune wrote, and computes the hash of exactly the bytes that were read. run.yaml
+// Reads a CSV file that armtune wrote, and computes the hash of exactly the bytes that were read. run.json
 // lists this hash. Thus it describes the data that were used, even if the file is edited afterwards.
 
 #include <string>
@@ -10,7 +10,7 @@ namespace armtune::internal {
 
 struct HashedTable {
   CsvTable table;
-  std::string hash;  ///< in the form of run.yaml
+  std::string hash;  ///< in the form of run.json
 };
 
 /// Reads a file that armtune wrote. Throws InputError as CsvTable::read does.

@@ -14,7 +14,7 @@ constexpr const char* kInputCopies = "inputs";
 
 /// Writes a copy of every input whose contents are kept in memory (see InputRecord), unless an earlier call
 /// wrote it already. Files in the run folder itself are not copied. inputs: paths in any order, may contain
-/// duplicates. Returns two names for each input with a copy: the input's name as run.yaml shows it, and the
+/// duplicates. Returns two names for each input with a copy: the input's name as run.json shows it, and the
 /// copy's name below the run folder, such as "inputs/01_study.yaml". Throws InputError if a copy cannot be
 /// written.
 std::vector<std::pair<std::string, std::string>> keep_inputs(const std::string& folder,

@@ -24,11 +24,8 @@
 #include "core/common/utf8.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "sim/yaml/quoted.hpp"
 #include "tuner/ranks/transport.hpp"
-#include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
-#include "tuner/run/input_copies.hpp"
 #include "tuner/run/run_file.hpp"
 
 namespace armtune::internal {
@@ -84,7 +81,7 @@ bool FolderLock::take() {
 
 FolderLock make_run_folder(const std::string& folder) {
   if (folder.empty()) return {};
-  absolute_path(".");  // the run's provenance needs it: refused now, not when the folder is made
+  absolute_path(".");  // the run's record needs it: refused now, not when the folder is made
   refuse_unusable_path(absolute_path(folder));
   refuse_used_folder(folder);
   const bool is_new = !is_there(folder);
@@ -168,37 +165,19 @@ std::string add_columns(const std::string& folder, const FileColumns& columns) {
   return *path;
 }
 
+std::string utc_time() {
+  return utc("{:%Y-%m-%dT%H:%M:%SZ}");
+}
+
+MachineFacts this_machine() {
+  return {processor(), std::thread::hardware_concurrency()};
+}
+
 std::string measured_with() {
   std::string text;
   for (const auto& [library, version] : versions()) text += fmt::format("{} {}\n", library, version);
   return text + fmt::format("processor {}, {} hardware threads\ndate {}\n", processor(),
                             std::thread::hardware_concurrency(), utc("{:%Y-%m-%d}"));
-}
-
-std::string run_yaml(const Provenance& p) {
-  std::string text = fmt::format("command: {}\ndate: {}\nwall_seconds: {:.3f}\nseed: {}\nworkers: {}\n",
-                                 yaml::quoted(p.command), yaml::quoted(utc("{:%Y-%m-%dT%H:%M:%SZ}")),
-                                 p.wall_seconds, p.seed, p.workers);
-  for (const auto& [key, value] : p.extra) text += yaml::entry("", key, yaml::quoted(value));
-  text += "versions:\n";
-  for (const auto& [library, version] : versions()) text += yaml::entry("  ", library, yaml::quoted(version));
-  text += fmt::format("machine:\n  processor: {}\n  hardware_threads: {}\n", yaml::quoted(processor()),
-                      std::thread::hardware_concurrency());
-  text += fmt::format("arithmetic:\n  level: {}\n  fingerprint: {}\n", arithmetic().level,
-                      arithmetic().fingerprint);
-  text += "inputs:\n";
-  for (const auto& [file, hash] : hashes(p.inputs)) text += yaml::entry("  ", file, hash);
-  for (const auto& [file, hash] :
-       std::set<std::pair<std::string, std::string>>(p.streamed.begin(), p.streamed.end()))
-    text += yaml::entry("  ", shown_path(file), hash);
-  if (!p.copies.empty()) text += "copies:\n";
-  for (const auto& [file, copy] : p.copies) text += yaml::entry("  ", file, copy);
-  return text;
-}
-
-void write_provenance(const std::string& folder, Provenance p) {
-  p.copies = keep_inputs(folder, p.inputs);
-  write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// Makes the folder into which a run writes its results, and writes the file run.yaml in it. run.yaml records
-// how the results were made: versions, machine, seed, and hashes of the inputs.
+// Makes the folder into which a run writes its results. Also names the circumstances of a run: the versions
+// in use, the machine, the time, and the hashes of the inputs.
 
 #include <string>
 #include <utility>
@@ -8,6 +8,7 @@
 
 #include "sim/rollout/error_report.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "tuner/run/run_facts.hpp"
 
 namespace armtune::internal {
 
@@ -47,35 +48,20 @@ std::string default_run_folder(const std::string& name);
 /// written, and the returned text is empty.
 std::string add_columns(const std::string& folder, const FileColumns& columns);
 
-/// The contents of run.yaml.
-struct Provenance {
-  std::string command;              ///< command that repeats the run, quoted for a shell
-  std::vector<std::string> inputs;  ///< paths of the input files, in any order, may contain duplicates
-  /// Input files, such as logs, that are read as a stream and not kept in memory, with the hash of each.
-  std::vector<std::pair<std::string, std::string>> streamed;
-  unsigned long long seed = 0;
-  int workers = 1;
-  double wall_seconds = 0.0;
-  std::vector<std::pair<std::string, std::string>> extra;  ///< further keys and their values
-  /// Names of the inputs as run.yaml shows them, each with the name of its copy below the run folder.
-  std::vector<std::pair<std::string, std::string>> copies;
-};
-
 /// Adds the files of every scenario to `inputs`.
 void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>& inputs);
 
-/// Returns name and hash of each input file, as run.yaml shows them. The hash is that of hash_of_input().
+/// Returns name and hash of each input file, sorted, as run.json shows them. The hash is that of
+/// hash_of_input().
 std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::string>& inputs);
 
-/// Returns the text of run.yaml: versions, machine, date, seed, hashes of every input file, copies.
-std::string run_yaml(const Provenance& p);
+/// Returns the present time in UTC, such as "2026-11-26T05:27:03Z".
+std::string utc_time();
 
-/// Writes run.yaml, and copies of the inputs into the folder inputs/ (keep_inputs). run.yaml names the
-/// copies. Streamed inputs and recordings can be large. run.yaml gives their hashes, but they are not copied.
-/// Throws InputError if a file cannot be written.
-void write_provenance(const std::string& folder, Provenance p);
+/// Returns the machine on which this process runs.
+MachineFacts this_machine();
 
-/// Returns name and version of every library in use, one per entry, as run.yaml and --version show them.
+/// Returns name and version of every library in use, one per entry, as run.json and --version show them.
 std::vector<std::pair<std::string, std::string>> versions();
 
 /// Returns the circumstances under which a benchmark was measured, one per line: versions, processor, date.

@@ -60,7 +60,7 @@ class Run {
   }
   /// Returns how many evaluations are left until the run has `most`; 0 if time is up.
   std::size_t evaluations_left(long most);
-  std::string budget_used_up() const;
+  void conclude_budget();
   bool begin_warm();
   /// Returns a search that starts at x, with the bounds of box_ and the study's options.
   JoinedSearch search_from(const std::vector<double>& x);
@@ -69,7 +69,7 @@ class Run {
   /// Runs searches at the same time until the run has `most` evaluations. Returns false if interrupted.
   bool search_together(const char* phase, const std::vector<JoinedSearch>& searches, long most);
   void serve(const char* phase, std::vector<Request>& requests, long most);
-  std::string reason(const std::vector<SolverOutcome>& outcomes) const;
+  void conclude(const std::vector<SolverOutcome>& outcomes);
 
   const Study& study_;
   const TuneCallbacks& callbacks_;
@@ -142,9 +142,11 @@ std::size_t Run::evaluations_left(long most) {
   return static_cast<std::size_t>(most - out_.evaluations);
 }
 
-std::string Run::budget_used_up() const {
-  return fmt::format("{} used up after {} evaluations", evaluator_.time_was_up() ? "time" : "budget",
-                     out_.evaluations);
+/// Sets the reason why the search ended: its evaluations or its time were used up.
+void Run::conclude_budget() {
+  const bool time = evaluator_.time_was_up();
+  out_.ended = time ? SearchEnd::kTime : SearchEnd::kEvaluations;
+  out_.reason = fmt::format("{} used up after {} evaluations", time ? "time" : "budget", out_.evaluations);
 }
 
 void Run::serve(const char* phase, std::vector<Request>& requests, long most) {
@@ -159,19 +161,23 @@ void Run::serve(const char* phase, std::vector<Request>& requests, long most) {
   });
 }
 
-std::string Run::reason(const std::vector<SolverOutcome>& outcomes) const {
-  if (out_.interrupted) return "interrupted";
+/// Sets the reason why the search ended, from the outcomes of the solvers.
+void Run::conclude(const std::vector<SolverOutcome>& outcomes) {
+  if (out_.interrupted) return interrupt();
   for (const SolverOutcome& outcome : outcomes) {
-    if (outcome.stopped) return budget_used_up();
+    if (outcome.stopped) return conclude_budget();
   }
-  if (outcomes.size() == 1) return outcomes.front().reason;
-  return fmt::format("all {} searches ended, the first with: {}", outcomes.size(), outcomes.front().reason);
+  const SolverOutcome& first = outcomes.front();
+  out_.ended = first.converged ? SearchEnd::kConverged : SearchEnd::kSolverGaveUp;
+  out_.reason = outcomes.size() == 1
+                    ? first.reason
+                    : fmt::format("all {} searches ended, the first with: {}", outcomes.size(), first.reason);
 }
 
 bool Run::search_together(const char* phase, const std::vector<JoinedSearch>& searches, long most) {
   const auto outcomes =
       minimize_together(searches, [&](std::vector<Request>& requests) { serve(phase, requests, most); });
-  out_.reason = reason(outcomes);
+  conclude(outcomes);
   return !out_.interrupted;
 }
 
@@ -179,7 +185,7 @@ bool Run::search_together(const char* phase, const std::vector<JoinedSearch>& se
 bool Run::begin_warm() {
   if (!study_.warm || seen().at(box_.x)) return true;
   if (evaluations_left(most_in(engine_)) == 0) {
-    out_.reason = budget_used_up();
+    conclude_budget();
     return false;
   }
   if (evaluate({{"warm", box_.x}})) return true;
@@ -229,6 +235,7 @@ void Run::verify() {
   if (engine_ == Engine::kSimbody || out_.interrupted) return;
   const long most = std::min(study_.max_evaluations, out_.evaluations + kept_evaluations(study_));
   const std::string searched = out_.reason;
+  const SearchEnd ended = out_.ended;
   // These few points are simulated even if time is up, because there is no result without them.
   const auto candidates = to_judge(seen(), best_of_sweep_, seen_[Engine::kSimbody]);
   engine_ = Engine::kSimbody;
@@ -239,6 +246,7 @@ void Run::verify() {
   last.options.initial_step = std::min(last.options.initial_step, kLastStep);
   if (!algorithm_from_name(last.options.algorithm).local) last.options.algorithm = SolverOptions().algorithm;
   if (!search_together("verify", {last}, most)) return;
+  out_.ended = ended;
   out_.reason = fmt::format("{}, in the {} engine; Simbody then simulated and refined the best gains",
                             searched, name(study_.engine));
 }
@@ -268,6 +276,7 @@ void Run::turn_back() {
 
 void Run::interrupt() {
   out_.interrupted = true;
+  out_.ended = SearchEnd::kInterrupted;
   out_.reason = "interrupted";
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "tuner/journal/journal.hpp"
+#include "tuner/run/search_end.hpp"
 #include "tuner/study/study.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
@@ -55,7 +56,8 @@ struct TuneResult {
   Evaluation best;
   long evaluations = 0;
   bool interrupted = false;
-  std::string reason;       ///< why the search ended
+  SearchEnd ended = SearchEnd::kConverged;  ///< why the search ended
+  std::string reason;                       ///< the same in words
   std::string passed_over;  ///< why `best` replaces better gains that have a fault; empty: it does not
 };
 

@@ -6,6 +6,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/rollouts/recording_memory.hpp"
+#include "tuner/run/write_run_record.hpp"
 #include "tuner/session/report_files.hpp"
 #include "tuner/session/task_notes.hpp"
 #include "tuner/verdict/assumptions.hpp"
@@ -82,14 +83,17 @@ void CompareSession::write_files() const {
   for (const ComparedSet& set : outcome_.sets) {
     write_text_file(settings_.folder + "/errors_" + set.name + ".csv", errors_csv(set.results));
   }
-  Provenance p;
-  p.command = context_.invocation.line;
+  RunRecord record;
+  record.kind = RunKind::kCompare;
+  record.command = context_.invocation.line;
+  record.workers = settings_.workers;
+  record.simulation = {settings_.stepper, settings_.engine, {}};
+  FilesRead files;
   for (const GainsToSimulate& set : sets_) {
-    for (const std::string& file : files_of_gains(set.path)) p.inputs.push_back(file);
+    for (const std::string& file : files_of_gains(set.path)) files.inputs.push_back(file);
   }
-  add_inputs(settings_.scenarios, p.inputs);
-  p.workers = settings_.workers;
-  write_provenance(settings_.folder, p);
+  add_inputs(settings_.scenarios, files.inputs);
+  write_run_record(settings_.folder, std::move(record), files);
 }
 
 report::Scene CompareSession::scene() const {
@@ -106,7 +110,7 @@ report::Scene CompareSession::scene() const {
 }
 
 void CompareSession::write_conclusion() {
-  outcome_.files = {"comparison.csv", "errors_<set>.csv", "rollouts_<set>/", "run.yaml", "inputs/"};
+  outcome_.files = {"comparison.csv", "errors_<set>.csv", "rollouts_<set>/", kRunRecord, "inputs/"};
   if (!context_.stop) {
     write_verdict(settings_.folder, outcome_.verdict);
     outcome_.files.emplace_back("verdict.yaml");

@@ -202,19 +202,17 @@ void FrontSession::write_reports(int workers) {
   write_text_file(folder() + "/columns.csv",
                   columns_csv({{"pareto.csv", pareto_columns(study_, outcome_.options)},
                                {"evaluations.csv", evaluation_columns(study_, criteria)}}));
-  write_provenance(folder(),
-                   study_provenance(study_, context_.invocation, workers, run_->seconds(),
-                                    {{"criteria", fmt::format("{}", fmt::join(settings_.criteria, " "))},
-                                     {"evaluations", fmt::format("{}", result.evaluations)},
-                                     {"stepper", name(study_.stepper)},
-                                     {"engine", engine_text(study_.engine)},
-                                     {"ended", result.interrupted   ? "interrupted"
-                                               : result.out_of_time ? "time used up"
-                                                                    : "every level searched"},
-                                     {"points", fmt::format("{}", result.front.size())},
-                                     {"verified", outcome_.verified ? "true" : "false"},
-                                     {"hypervolume", fmt::format("{}", result.hypervolume)}}));
-  outcome_.files = {"pareto.csv", "points/", "evaluations.csv", "columns.csv", "study.yaml", "run.yaml"};
+  RunRecord record = record_of_search(study_, context_.invocation, workers, run_->seconds());
+  record.kind = RunKind::kPareto;
+  record.search->engine = study_.engine;
+  record.search->evaluations = result.evaluations;
+  record.search->ended = result.interrupted   ? SearchEnd::kInterrupted
+                         : result.out_of_time ? SearchEnd::kTime
+                                              : SearchEnd::kLevelsSearched;
+  record.front = {settings_.criteria, static_cast<long>(result.front.size()), outcome_.verified,
+                  result.hypervolume};
+  write_run_record(folder(), std::move(record), {files_of(study_)});
+  outcome_.files = {"pareto.csv", "points/", "evaluations.csv", "columns.csv", "study.yaml", kRunRecord};
   const auto pages = add_report(
       folder(), [this] { return scene(outcome_.verified); }, observer_);
   outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());

@@ -1,13 +1,12 @@
 #include "tuner/session/margins_session.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/write_run_record.hpp"
 
 namespace armtune::internal {
 
@@ -40,16 +39,17 @@ void MarginsSession::write_margins(const std::vector<Margin>& found) const {
 
 void MarginsSession::write_results() {
   write_margins(outcome_.margins);
-  Provenance p;
-  p.command = context_.invocation.line;
-  if (!settings_.gains_path.empty()) p.inputs = files_of_gains(settings_.gains_path);
-  add_inputs(settings_.scenarios, p.inputs);
-  p.workers = settings_.options.workers;
-  p.wall_seconds = watch_.seconds();
-  p.extra = {{"margins", fmt::format("{}", outcome_.margins.size())},
-             {"stepper", name(settings_.options.stepper)}};
-  write_provenance(settings_.folder, p);
-  outcome_.files = {"margins.csv", "run.yaml", "inputs/"};
+  RunRecord record;
+  record.kind = RunKind::kMargins;
+  record.command = context_.invocation.line;
+  record.wall_seconds = watch_.seconds();
+  record.workers = settings_.options.workers;
+  record.margins = {static_cast<long>(outcome_.margins.size()), settings_.options.stepper};
+  FilesRead files;
+  if (!settings_.gains_path.empty()) files.inputs = files_of_gains(settings_.gains_path);
+  add_inputs(settings_.scenarios, files.inputs);
+  write_run_record(settings_.folder, std::move(record), files);
+  outcome_.files = {"margins.csv", kRunRecord, "inputs/"};
 }
 
 }  // namespace armtune::internal

@@ -1,7 +1,6 @@
 #include "tuner/session/monte_carlo_session.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -13,6 +12,7 @@
 #include "tuner/rollouts/recording_memory.hpp"
 #include "tuner/rollouts/simulate.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/write_run_record.hpp"
 #include "tuner/session/report_files.hpp"
 #include "tuner/verdict/yield_check.hpp"
 
@@ -139,24 +139,17 @@ void MonteCarloSession::draw(RolloutPool& pool) {
 void MonteCarloSession::write_results(int workers) {
   const MonteCarloOptions& options = settings_.options;
   write_text_file(folder() + "/summary.csv", summary_csv(settings_.scenarios, outcome_.samples));
-  Provenance p;
-  p.command = context_.invocation.line;
-  p.inputs = inputs();
-  p.seed = options.seed;
-  p.workers = workers;
-  p.wall_seconds = run_->seconds();
-  std::vector<std::string> limits;
-  for (const MetricLimit& limit : options.limits) limits.push_back(to_string(limit));
-  p.extra = {{"samples", fmt::format("{}", outcome_.samples.size())},
-             {"stepper", name(options.stepper)},
-             {"limits", fmt::format("{}", fmt::join(limits, "; "))}};
-  if (options.engine != Engine::kSimbody) {
-    p.extra.emplace_back("engine",
-                         fmt::format("{}; an arm that breaks a limit there is simulated again in simbody",
-                                     name(options.engine)));
-  }
-  write_provenance(folder(), p);
-  outcome_.files = {"samples.csv", "summary.csv", "run.yaml", "inputs/"};
+  RunRecord record;
+  record.kind = RunKind::kRobustness;
+  record.command = context_.invocation.line;
+  record.wall_seconds = run_->seconds();
+  record.seed = options.seed;
+  record.workers = workers;
+  record.robustness = {static_cast<long>(outcome_.samples.size()), options.stepper, options.engine, {}};
+  for (const MetricLimit& limit : options.limits)
+    record.robustness->limits.push_back({name(limit.metric), limit.upper, limit.value});
+  write_run_record(folder(), std::move(record), {inputs()});
+  outcome_.files = {"samples.csv", "summary.csv", kRunRecord, "inputs/"};
   if (settings_.writes_arm && outcome_.samples.size() == 1) write_arm();
   if (!outcome_.verdict.checks.empty()) {
     write_verdict(folder(), outcome_.verdict);

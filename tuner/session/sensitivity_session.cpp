@@ -6,6 +6,7 @@
 #include "tuner/evaluation/simulate_points.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/write_run_record.hpp"
 #include "tuner/session/study_files.hpp"
 
 namespace armtune::internal {
@@ -49,16 +50,16 @@ void SensitivitySession::write_files(const HashedTable& evaluations, int workers
   write_text_file(folder + "/start/gains.yaml",
                   gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
   write_sensitivity(study, outcome_.sensitivity, folder);
-  Provenance p;
-  p.command = context_.invocation.line;
-  p.inputs = files_of(study);
-  p.inputs.push_back(gains_path());
-  p.streamed = {{evaluations.table.name(), evaluations.hash}};
-  p.seed = study.solver.seed;
-  p.workers = workers;
-  p.wall_seconds = watch_.seconds();
-  write_provenance(folder, p);
-  outcome_.files = {"sensitivity.csv", "reduced_study.yaml", "run.yaml", "inputs/"};
+  RunRecord record;
+  record.kind = RunKind::kSensitivity;
+  record.command = context_.invocation.line;
+  record.wall_seconds = watch_.seconds();
+  record.seed = study.solver.seed;
+  record.workers = workers;
+  FilesRead files{files_of(study), {{evaluations.table.name(), evaluations.hash}}};
+  files.inputs.push_back(gains_path());
+  write_run_record(folder, std::move(record), files);
+  outcome_.files = {"sensitivity.csv", "reduced_study.yaml", kRunRecord, "inputs/"};
 }
 
 }  // namespace armtune::internal

@@ -7,6 +7,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/rollouts/recording_memory.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/write_run_record.hpp"
 #include "tuner/session/report_files.hpp"
 #include "tuner/session/task_notes.hpp"
 #include "tuner/verdict/assumptions.hpp"
@@ -102,18 +103,17 @@ void SimulateSession::write_files() {
   write_errors({});
   write_text_file(folder + "/gains.yaml",
                   gains_yaml(gains_.gains_of(scenarios.front()), {"from " + shown_path(gains_.path)}));
-  Provenance p;
-  p.command = context_.invocation.line;
-  p.inputs = files_of_gains(gains_.path);
-  add_inputs(scenarios, p.inputs);
-  p.workers = settings_.workers;
-  p.wall_seconds = outcome_.seconds;
-  p.extra = {{"stepper", name(settings_.stepper)},
-             {"engine", name(settings_.engine)},
-             {"gains_file", hash_of_file(folder + "/gains.yaml")}};
-  p.seed = scenarios.front().seed;
-  write_provenance(folder, p);
-  outcome_.files = {"errors.csv", "rollout_<scenario>.csv", "columns.csv", "gains.yaml", "run.yaml",
+  RunRecord record;
+  record.kind = RunKind::kSimulate;
+  record.command = context_.invocation.line;
+  record.wall_seconds = outcome_.seconds;
+  record.seed = scenarios.front().seed;
+  record.workers = settings_.workers;
+  record.simulation = {settings_.stepper, settings_.engine, hash_of_file(folder + "/gains.yaml")};
+  FilesRead files{files_of_gains(gains_.path)};
+  add_inputs(scenarios, files.inputs);
+  write_run_record(folder, std::move(record), files);
+  outcome_.files = {"errors.csv", "rollout_<scenario>.csv", "columns.csv", "gains.yaml", kRunRecord,
                     "inputs/"};
   if (!settings_.yardstick || context_.stop) return;
   const YardstickFiles yardstick = settings_.yardstick(folder, scenarios, gains_.gains_of);

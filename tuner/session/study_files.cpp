@@ -44,7 +44,7 @@ double seconds_left(long evaluations, long max_evaluations, double seconds, doub
 std::vector<std::string> files_of(const Study& study) {
   std::vector<std::string> files = {study.source};
   if (!study.gains.empty()) {
-    for (std::string& file : files_of_gains(study.gains, study.node)) files.push_back(std::move(file));
+    for (std::string& file : files_of_gains(study.gains)) files.push_back(std::move(file));
   }
   if (study.warm) files.push_back(study.warm->source);
   add_inputs(study.scenarios, files);
@@ -67,18 +67,17 @@ std::vector<std::string> inputs_of(const Study& study) {
   return inputs;
 }
 
-Provenance study_provenance(const Study& study, const Invocation& invocation, int workers, double seconds,
-                            const std::vector<std::pair<std::string, std::string>>& found) {
-  Provenance p;
-  p.command = invocation.line;
-  p.inputs = files_of(study);
-  p.seed = study.solver.seed;
-  p.workers = workers;
-  p.wall_seconds = seconds;
-  p.extra = {{"study", shown_path(study.source)},
-             {"start", study.given ? "armtune's first gains" : stem(study.gains)}};
-  p.extra.insert(p.extra.end(), found.begin(), found.end());
-  return p;
+RunRecord record_of_search(const Study& study, const Invocation& invocation, int workers, double seconds) {
+  RunRecord run;
+  run.command = invocation.line;
+  run.wall_seconds = seconds;
+  run.seed = study.solver.seed;
+  run.workers = workers;
+  SearchFacts& search = run.search.emplace();
+  search.study = shown_path(study.source);
+  search.start = study.given ? "armtune's first gains" : stem(study.gains);
+  search.stepper = study.stepper;
+  return run;
 }
 
 void write_start(const Study& study, const std::string& folder) {

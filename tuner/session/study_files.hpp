@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/write_run_record.hpp"
 #include "tuner/sensitivity/sensitivity.hpp"
 #include "tuner/session/observer.hpp"
 #include "tuner/session/session_context.hpp"
@@ -40,10 +41,9 @@ std::vector<std::pair<std::string, std::string>> identity_of(const Study& study)
 /// Returns the files of the study's scenarios.
 std::vector<std::string> inputs_of(const Study& study);
 
-/// Returns the provenance of a search. workers: number of workers of the search; seconds: wall time [s];
-/// found: further keys and values of run.yaml, which are added after those of the study.
-Provenance study_provenance(const Study& study, const Invocation& invocation, int workers, double seconds,
-                            const std::vector<std::pair<std::string, std::string>>& found);
+/// Returns the record of a search, with everything that its study determines. The caller sets the kind of the
+/// run, and what the search found. workers: number of workers of the search; seconds: wall time [s].
+RunRecord record_of_search(const Study& study, const Invocation& invocation, int workers, double seconds);
 
 /// Writes the start of the search: start/ and study.yaml. If armtune replaced the study's own start gains,
 /// also writes them into given/. Call it before the search simulates anything but the start gains.

@@ -44,7 +44,7 @@ const char* title_of(SearchOutcome outcome) {
 std::string name_beside_results(const std::string& path) {
   const std::filesystem::path name = std::filesystem::path(path).filename();
   bool taken = name.extension() != ".yaml" && name.extension() != ".yml";
-  for (const char* own : {"gains.yaml", "study.yaml", "reduced_study.yaml", "run.yaml", "verdict.yaml"})
+  for (const char* own : {"gains.yaml", "study.yaml", "reduced_study.yaml", kOldRunRecord, "verdict.yaml"})
     taken = taken || name == own;
   return (taken ? "ros_" : "") + name.string();
 }
@@ -126,7 +126,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder) {
   const std::vector<std::string> joints = joint_names(*study.scenarios.front().robot);
   if (study.gains.empty()) return {};
-  const auto file = read_parameter_file(study.gains, study.node, study.distro);
+  const auto file = read_parameter_file(study.gains, study.node, study.distro, joints);
   if (!file || controller_gains(file->controller, file->path, joints).controller != gains.controller)
     return {};
   std::string name = name_beside_results(file->path);
@@ -146,18 +146,18 @@ void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
   write_text_file(folder + "/columns.csv", columns_csv(columns));
 }
 
-Provenance tune_provenance(const Study& study, const TuneResult& result, const Invocation& invocation,
+RunRecord record_of_tuning(const Study& study, const TuneResult& result, const Invocation& invocation,
                            int workers, double seconds, const std::string& folder) {
-  return study_provenance(study, invocation, workers, seconds,
-                          {{"evaluations", fmt::format("{}", result.evaluations)},
-                           {"algorithm", search_text(study)},
-                           {"stepper", name(study.stepper)},
-                           {"engine", engine_text(engine_of_search(study))},
-                           {"ended", result.reason},
-                           {"interrupted", result.interrupted ? "true" : "false"},
-                           {"feasible", result.best.feasible ? "true" : "false"},
-                           {"objective", fmt::format("{}", result.best.objective)},
-                           {"gains_file", hash_of_file(folder + "/gains.yaml")}});
+  RunRecord run = record_of_search(study, invocation, workers, seconds);
+  run.kind = RunKind::kTune;
+  run.search->algorithm = search_text(study);
+  run.search->engine = engine_of_search(study);
+  run.search->evaluations = result.evaluations;
+  run.search->ended = result.ended;
+  run.search->reason = result.reason;
+  run.tuned = {result.best.feasible, result.best.objective, hash_of_file(folder + "/gains.yaml")};
+  if (!std::isfinite(result.best.objective)) run.tuned->objective.reset();
+  return run;
 }
 
 }  // namespace armtune::internal

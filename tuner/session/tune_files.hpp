@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tuner/run/run_record.hpp"
 #include "tuner/session/tune_session.hpp"
 
 namespace armtune::internal {
@@ -38,9 +39,9 @@ std::string write_controllers(const Study& study, const Gains& gains, const std:
 void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
                   const std::vector<YardstickFiles>& yardsticks, const std::string& folder);
 
-/// Returns the provenance of a tuning run. workers: number of the search's workers; seconds: wall time of the
-/// whole run [s].
-Provenance tune_provenance(const Study& study, const TuneResult& result, const Invocation& invocation,
+/// Returns the record of a tuning run. workers: number of the search's workers; seconds: wall time of the
+/// whole run [s]; folder: the run folder, which has gains.yaml.
+RunRecord record_of_tuning(const Study& study, const TuneResult& result, const Invocation& invocation,
                            int workers, double seconds, const std::string& folder);
 
 }  // namespace armtune::internal

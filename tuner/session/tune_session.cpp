@@ -90,9 +90,8 @@ TuneResult TuneSession::search_with_files(CandidateRunner& workers) {
     observer_.began(study_, run_ ? run_->journal().records() : 0);
     if (!writes()) return;
     write_start(study_, folder());
-    write_scene(folder(),
-                report::scene_of(study_.scenarios, report::usual_sets(report::RunKind::kTune, folder()),
-                                 study_.space.start.obstacleInfluenceRadius));
+    write_scene(folder(), report::scene_of(study_.scenarios, report::usual_sets(RunKind::kTune, folder()),
+                                           study_.space.start.obstacleInfluenceRadius));
     file.emplace(folder() + "/evaluations.csv", study_, std::vector<ExtraColumn>(),
                  AppendFile::Open::kReplace);
   };
@@ -149,11 +148,13 @@ void TuneSession::verify(RankGroup& ranks) {
   write_reports();
 }
 
-/// Writes errors.csv of every gain set, columns.csv and run.yaml.
+/// Writes errors.csv of every gain set, columns.csv and run.json.
 void TuneSession::write_reports() {
   write_errors(study_, outcome_.sets, yardsticks_, folder());
-  write_provenance(folder(), tune_provenance(study_, outcome_.result, context_.invocation, count_,
-                                             run_->seconds(), folder()));
+  write_run_record(
+      folder(),
+      record_of_tuning(study_, outcome_.result, context_.invocation, count_, run_->seconds(), folder()),
+      {files_of(study_)});
 }
 
 bool TuneSession::analyse(CandidateRunner& workers) {
@@ -205,7 +206,7 @@ void TuneSession::conclude(bool analysed) {
       files.insert(files.end(), more.begin(), more.end());
     };
     add({"gains.yaml", "errors.csv", "rollout_<scenario>.csv", "evaluations.csv", "columns.csv", "study.yaml",
-         "run.yaml"});
+         kRunRecord});
     if (study_.given) add({"given/"});
     if (!interrupted && analysed && outcome_.verdict.passed()) write_controllers_if_any();
     if (!interrupted) add({"verdict.yaml"});
@@ -214,7 +215,7 @@ void TuneSession::conclude(bool analysed) {
     add(add_report(
         folder(),
         [this, &result] {
-          auto sets = report::usual_sets(report::RunKind::kTune, folder());
+          auto sets = report::usual_sets(RunKind::kTune, folder());
           sets.back().name = name(outcome_of(result));
           return report::scene_of(study_.scenarios, std::move(sets),
                                   study_.space.start.obstacleInfluenceRadius);

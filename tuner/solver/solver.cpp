@@ -51,7 +51,8 @@ const Offered& find(const std::string& name) {
   for (const Cut& cut : kCut) {
     if (name != cut.name) continue;
     throw InputError(
-        fmt::format("algorithm '{}' is no longer part of armtune; use {} instead", name, cut.instead));
+        fmt::format("algorithm '{}' is no longer part of armtune; use {} instead", name, cut.instead))
+        .with_value(name, cut.instead);
   }
   std::vector<std::string> names;
   std::string all;
@@ -61,7 +62,8 @@ const Offered& find(const std::string& name) {
     all += (all.empty() ? "" : ", ") + names.back();
   }
   throw InputError("algorithm '" + name + "' is unknown" + suggestion(name, names) +
-                   "; the algorithms are: " + all);
+                   "; the algorithms are: " + all)
+      .with_value(name, "one of: " + all);
 }
 
 using Optimizer = std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)>;
@@ -197,10 +199,12 @@ const AlgorithmInfo& algorithm_from_name(const std::string& name) {
 const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t parameters) {
   const AlgorithmInfo& info = algorithm_from_name(name);
   if (info.most_parameters > 0 && parameters > info.most_parameters) {
-    throw InputError(fmt::format(
-        "algorithm '{}' takes at most {} parameters, but there are {}; use another algorithm, or tune "
-        "fewer gains",
-        name, info.most_parameters, parameters));
+    throw InputError(
+        fmt::format(
+            "algorithm '{}' takes at most {} parameters, but there are {}; use another algorithm, or tune "
+            "fewer gains",
+            name, info.most_parameters, parameters))
+        .with_value(name, fmt::format("one for {} parameters", parameters));
   }
   return info;
 }
@@ -212,8 +216,10 @@ void check_start(const SolverProblem& problem) {
     const double lower = problem.lower_bound(i);
     const double upper = problem.upper_bound(i);
     if (lower <= problem.start[i] && problem.start[i] <= upper) continue;
-    throw InputError(fmt::format("coordinate {} of the start point is {}; its bounds are {} .. {}", i + 1,
-                                 problem.start[i], lower, upper));
+    throw InputError(InputPlace{.key = fmt::format("start/{}", i)},
+                     fmt::format("coordinate {} of the start point is {}; its bounds are {} .. {}", i + 1,
+                                 problem.start[i], lower, upper))
+        .with_value(fmt::to_string(problem.start[i]), fmt::format("{} to {}", lower, upper));
   }
 }
 

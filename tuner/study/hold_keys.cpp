@@ -60,14 +60,15 @@ SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scen
     yaml::MapReader uncertainty(*widths);
     for (const PerturbationField& f : perturbation_fields()) {
       set.perturbation.*f.width = uncertainty.number(f.name, set.perturbation.*f.width);
+      const yaml::Node* width = uncertainty.optional(f.name);
+      try {
+        validate(set.perturbation, "uncertainty");
+      } catch (const InputError& e) {
+        (width == nullptr ? *widths : *width).fail(e.what(), e.limit());
+      }
     }
     set.perturbation.phases = uncertainty.boolean("phases", set.perturbation.phases);
     uncertainty.finish();
-    try {
-      validate(set.perturbation, "uncertainty");
-    } catch (const InputError& e) {
-      widths->fail(e.what(), e.limit());
-    }
   }
   map.finish();
   return set;
@@ -87,7 +88,8 @@ void read_margins(const yaml::Node& node, Study& study) {
   }
   map.finish();
   if (study.margins.empty())
-    node.fail("no margin is given; leave the key out, or give one of: delay_periods, gain, rate, noise");
+    node.fail("no margin is given; leave the key out, or give one of: delay_periods, gain, rate, noise",
+              "one of: delay_periods, gain, rate, noise");
   add_margin_constraints(study);
 }
 

@@ -41,14 +41,19 @@ Hopeless read_hopeless(const yaml::Node* node, Metric metric, bool upper, std::o
   const double value = node->as_number();
   const char* bound = upper ? "at_most" : "at_least";
   if (!can_be_hopeless(metric, upper)) {
-    node->fail(fmt::format(
-        "'hopeless' cannot be used for {} with '{}', because a rollout that violates this early can "
-        "still meet it at the end; leave the key out. With '{}', 'hopeless' can be used for: {}",
-        name(metric), bound, bound, fmt::join(names_of_those_that_can(upper), ", ")));
+    const std::string usable = fmt::format("{}", fmt::join(names_of_those_that_can(upper), ", "));
+    node->fail(
+        fmt::format("'hopeless' cannot be used for {} with '{}', because a rollout that violates this early "
+                    "can still meet it at the end; leave the key out. With '{}', 'hopeless' can be used "
+                    "for: {}",
+                    name(metric), bound, bound, usable),
+        fmt::format("never or auto; a number only for: {}", usable));
   }
   if (limit && (upper ? value <= *limit : value >= *limit)) {
+    const char* beyond = upper ? "above" : "below";
     node->fail(fmt::format("{} does not lie beyond the limit ({} {}); give a value {} this limit, or 'never'",
-                           value, bound, *limit, upper ? "above" : "below"));
+                           value, bound, *limit, beyond),
+               fmt::format("{} {}, or never", beyond, *limit));
   }
   return {Hopeless::Kind::kFrom, value};
 }

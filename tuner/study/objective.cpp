@@ -19,9 +19,14 @@ double scale_of(double bound) {
   return bound != 0.0 ? std::abs(bound) : 1.0;
 }
 
-/// Throws InputError because the start gains' value cannot be the reference of the term.
+/// Returns the place of an entry of a list in the study: the term or the constraint with this index.
+InputPlace entry_of(const std::string& where, const char* list, std::size_t index, const char* key = "") {
+  return {where, 0, fmt::format("{}/{}{}", list, index, key)};
+}
+
+/// Throws InputError because the start gains' value cannot be the reference of the term at `place`.
 [[noreturn]] void refuse_reference(const ObjectiveTerm& term, const std::string& scenario, double start,
-                                   const std::string& where) {
+                                   InputPlace place) {
   const std::string what =
       std::isfinite(start)
           ? fmt::format(
@@ -31,10 +36,12 @@ double scale_of(double bound) {
           : fmt::format("the start gains give no value of {} in {}, but the objective is relative to it",
                         name(term.metric), scenario);
   throw InputError(
-      fmt::format("{}: {}. Use other start gains, leave the scenario out of the term's 'scenarios', or "
+      std::move(place),
+      fmt::format("{}. Use other start gains, leave the scenario out of the term's 'scenarios', or "
                   "give the term a 'floor', the smallest value that serves as reference [{}]{}",
-                  where, what, field(term.metric).unit,
-                  larger_is_better(term.metric) ? ". A constraint with 'at_least' needs no reference" : ""));
+                  what, field(term.metric).unit,
+                  larger_is_better(term.metric) ? ". A constraint with 'at_least' needs no reference" : ""))
+      .with_value(std::isfinite(start) ? fmt::to_string(start) : "", "above zero");
 }
 
 }  // namespace
@@ -47,10 +54,13 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     pushed_.push_back(scenarios[s].pushed);
     if (start[s].status != RolloutStatus::kCompleted && !scenarios[s].pushed) {
       throw InputError(
-          fmt::format("{}: the start gains do not complete {}: {}. The objective is relative to the start "
-                      "gains; give gains that complete every scenario (with 'robust', on every random "
-                      "arm too)",
-                      where, scenarios[s].name, start[s].reason));
+          InputPlace{where, 0, "gains"},
+          InputFault{
+              .problem = fmt::format(
+                  "the start gains do not complete {}: {}. The objective is relative to the start gains; "
+                  "give gains that complete every scenario (with 'robust', on every random arm too)",
+                  scenarios[s].name, start[s].reason),
+              .value = scenarios[s].name});
     }
     durations_.push_back(scenarios[s].duration);
     start_.push_back(start[s].metrics);
@@ -59,35 +69,44 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
   if (own_) {
     own_start_ = own_(of_scenarios(start));
     if (!(std::isfinite(own_start_) && own_start_ > 0.0)) {
-      throw InputError(fmt::format(
-          "{}: the objective of the start gains is {}, but it must be a number above zero, because all "
-          "objectives are divided by it",
-          where, own_start_));
+      throw InputError(
+          InputPlace{where, 0, "objective"},
+          fmt::format("the objective of the start gains is {}, but it must be a number above zero, because "
+                      "all objectives are divided by it",
+                      own_start_))
+          .with_value(fmt::to_string(own_start_), "a number above zero");
     }
   }
-  for (const ObjectiveTerm& term : terms_) {
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    const ObjectiveTerm& term = terms_[t];
     weights_ += term.weight;
     for (const std::size_t s : term.scenarios) {
       const double of_start = reference(term, s);
       if (!(std::isfinite(of_start) && of_start > 0.0)) {
-        refuse_reference(term, scenarios[s].name, start_[s][term.metric], where);
+        refuse_reference(term, scenarios[s].name, start_[s][term.metric], entry_of(where, "objective", t));
       }
     }
   }
-  for (const Constraint& constraint : constraints_) {
+  set_judged(scenarios, where);
+  set_end_limits(scenarios, where);
+}
+
+void Objective::set_judged(const std::vector<Scenario>& scenarios, const std::string& where) {
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    const Constraint& constraint = constraints_[c];
     std::vector<bool>& judged = judged_.emplace_back(scenarios.size(), false);
     for (const std::size_t s : constraint.scenarios) {
       judged[s] = constraint.margin.has_value() || applies(constraint.metric, scenarios[s]);
       if (constraint.margin) continue;
       if (judged[s] && !constraint.limit && std::isnan(start_[s][constraint.metric])) {
         throw InputError(
-            fmt::format("{}: the start gains give no {} in {}, so the limit 'start' has no value; give a "
-                        "number",
-                        where, name(constraint.metric), scenarios[s].name));
+            entry_of(where, "constraints", c, constraint.upper ? "/at_most" : "/at_least"),
+            fmt::format("the start gains give no {} in {}, so the limit 'start' has no value; give a number",
+                        name(constraint.metric), scenarios[s].name))
+            .with_value("start", "a number");
       }
     }
   }
-  set_end_limits(scenarios, where);
 }
 
 void Objective::set_end_limits(const std::vector<Scenario>& scenarios, const std::string& where) {
@@ -105,10 +124,14 @@ void Objective::set_end_limits(const std::vector<Scenario>& scenarios, const std
       if (!end.reached_by(start_[s][constraint.metric])) {
         end_limits_[s].push_back(end);
       } else if (stated) {
-        throw InputError(fmt::format(
-            "{}: {} of the start gains in {} is {}, but 'hopeless' begins at {}, so the rollout of the "
-            "start gains would be abandoned; set 'hopeless' to a worse value, or to 'never'",
-            where, name(constraint.metric), scenarios[s].name, start_[s][constraint.metric], *value));
+        const double of_start = start_[s][constraint.metric];
+        throw InputError(
+            entry_of(where, "constraints", c, "/hopeless"),
+            fmt::format("{} of the start gains in {} is {}, but 'hopeless' begins at {}, so the rollout of "
+                        "the start gains would be abandoned; set 'hopeless' to a worse value, or to 'never'",
+                        name(constraint.metric), scenarios[s].name, of_start, *value))
+            .with_value(fmt::to_string(*value),
+                        fmt::format("{} {}, or never", constraint.upper ? "above" : "below", of_start));
       }
     }
   }

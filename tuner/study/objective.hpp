@@ -44,8 +44,8 @@ class Objective {
  public:
   /// scenarios: all simulated scenarios, corners included. start: results of the start gains, one per
   /// scenario. A constraint with Hopeless::Kind::kAuto abandons no rollout in a scenario where it would
-  /// abandon the rollout of the start gains. Throws InputError, with `where` in front, if the start gains
-  /// give no reference:
+  /// abandon the rollout of the start gains. Throws InputError if the start gains give no
+  /// reference. Its place is `where`, with a key path such as "constraints/1/at_most":
   /// - a scenario did not complete (corners may fail);
   /// - neither the metric's value nor the floor of a term is above zero;
   /// - a constraint has the metric's value with the start gains as its limit, but there is no such value;
@@ -94,6 +94,7 @@ class Objective {
   double excess(std::size_t c, const RolloutResult& result, std::size_t s) const;
   /// Returns the excess divided by the limit, at most kLargestRatio.
   double relative_excess(std::size_t c, double excess, std::size_t s) const;
+  void set_judged(const std::vector<Scenario>& scenarios, const std::string& where);
   void set_end_limits(const std::vector<Scenario>& scenarios, const std::string& where);
 
   /// Returns the user's own objective divided by its value with the start gains.

@@ -89,7 +89,7 @@ std::vector<double> ParameterSpace::point_of(const Gains& gains) const {
 void validate(const ParameterSpace& space, const std::string& where) {
   if (space.free.empty())
     throw InputError(
-        InputPlace{where},
+        InputPlace{where, 0, "parameters"},
         "no parameter to tune; list some under 'parameters'. If the study has no such list, no gain of " +
             space.start.controller + " acts in its scenarios: take another controller");
   for (const Parameter& p : space.free) {
@@ -102,7 +102,8 @@ void validate(const ParameterSpace& space, const std::string& where) {
     if (p.lower == 0.0 && p.upper == 0.0) {
       fail(
           "its start value is 0, and its default bounds are multiples of this value; give 'lower' and "
-          "'upper', or remove the parameter");
+          "'upper', or remove the parameter",
+          p.start, "above zero, or with bounds");
     }
     if (p.lower == p.upper) {
       fail(fmt::format("both bounds are {0}; give a range, or fix the value with 'fixed: {0}'", p.lower),

@@ -81,12 +81,14 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
   if (!scale.empty() && scale != "log" && scale != "linear")
     map.required("scale").fail_choice({"log", "linear"});
   map.finish();
-  if (fixed != nullptr && link != nullptr) node.fail("give at most one of: fixed, link");
+  if (fixed != nullptr && link != nullptr)
+    node.fail("give at most one of: fixed, link", "at most one of the keys: fixed, link");
   for (const GainEntry& entry : entries) {
     // A link stores the index of its parameter. Thus no index may change once there is a link.
     const bool linked = find_by_name(space.links, entry.name) != space.links.end();
     if (linked || (!space.links.empty() && find_by_name(space.free, entry.name) != space.free.end())) {
-      node.fail(entry.name + " is listed again after a link; list every gain before the links");
+      map.required("name").fail(entry.name +
+                                " is listed again after a link; list every gain before the links");
     }
     if (const auto old = find_by_name(space.free, entry.name); old != space.free.end()) space.free.erase(old);
     if (fixed != nullptr) {
@@ -103,7 +105,8 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
         node.fail(
             fmt::format("{} has no 'upper'; give its largest value{}, because it depends on contacts, which "
                         "are not simulated",
-                        entry.name, unit_of(*entry.field)));
+                        entry.name, unit_of(*entry.field)),
+            "the key 'upper'");
       if (start != nullptr) value(space.start, entry) = start->as_number();
       Parameter p = default_parameter(entry, space.start);
       if (!scale.empty()) p.scale = scale == "log" ? Scale::kLog : Scale::kLinear;
@@ -150,15 +153,17 @@ std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<Gain
         axis.parameters.push_back(static_cast<std::size_t>(found - space.free.begin()));
       }
     }
-    axis.factors = map.required("factors").as_numbers();
-    for (const double f : axis.factors) {
-      if (!(f > 0.0))
-        map.required("factors").fail(fmt::format("factor {} is not above zero", f), "above zero");
+    for (const yaml::Node& factor : map.required("factors").items()) {
+      const double f = axis.factors.emplace_back(factor.as_number());
+      if (!(f > 0.0)) factor.fail(fmt::format("factor {} is not above zero", f), "above zero");
     }
     points *= static_cast<double>(axis.factors.size());
     map.finish();
   }
-  if (points > 1e5) node.fail(fmt::format("the sweep has {:.0f} points; give at most 100000", points));
+  if (points > 1e5)
+    node.fail(InputFault{.problem = fmt::format("the sweep has {:.0f} points", points),
+                         .value = fmt::format("{:.0f}", points),
+                         .limit = "at most 100000"});
   return axes;
 }
 

@@ -46,6 +46,14 @@ ConstraintHandling read_constraint_handling(const yaml::Node& node) {
   return ConstraintHandling::kPenalty;
 }
 
+/// Returns the item of the list with this text, or the list if there is none.
+const yaml::Node& find_item(const yaml::Node& list, const std::string& text) {
+  for (const yaml::Node& item : list.items()) {
+    if (item.is_word(text)) return item;
+  }
+  return list;
+}
+
 void read_engine(yaml::MapReader& map, Study& study) {
   study.stepper = read_name(map, "stepper", name(study.stepper), stepper_from_name);
   study.engine = read_name(map, "engine", name(study.engine), engine_from_name);
@@ -103,7 +111,8 @@ void read_search(const yaml::Node& node, Study& study) {
   const long starts = map.integer("starts", 1);
   if (starts < 1 || starts > kMostStarts) {
     map.required("starts").fail(
-        fmt::format("{} searches at once are not possible; give 1 .. {}", starts, kMostStarts));
+        fmt::format("{} searches at once are not possible; give 1 .. {}", starts, kMostStarts),
+        fmt::format("1 .. {}", kMostStarts));
   }
   study.starts = static_cast<std::size_t>(starts);
   if (map.has("global")) study.global_by_default = false;
@@ -136,12 +145,12 @@ void read_warm_start(const yaml::Node& node, Study& study) {
     load_warm_gains(warm, from.as_string(), study.space, joint_names(*study.scenarios.front().robot),
                     folder_of(study.source));
   } catch (const InputError& e) {
-    from.fail(e.what());
+    from.fail(e.what(), e.limit());
   }
   try {
     warm_point(study.space, warm);
   } catch (const InputError& e) {
-    (names == nullptr ? from : *names).fail(e.what());
+    (names == nullptr ? from : find_item(*names, e.value())).fail(e.what(), e.limit());
   }
   study.warm = std::move(warm);
 }

@@ -9,6 +9,8 @@
 namespace armtune::internal {
 namespace {
 
+constexpr const char* kOption = "--max-stiffness";
+
 /// True for a gain with a number for each axis of the task.
 bool is_of_task(const GainEntry& entry) {
   const auto* own = std::get_if<OwnGain>(&entry.field->member);
@@ -45,26 +47,33 @@ double bound_of(const GainEntry& entry, const std::vector<double>& most) {
   return !task && most.size() == 1 ? most.front() : 0.0;
 }
 
+/// Throws InputError because the number of bounds does not fit the gain.
+[[noreturn]] void refuse_count(const GainEntry& entry, std::size_t count) {
+  const std::string fewest =
+      is_of_task(entry) ? "one for translations and one for rotations" : "one for all joints";
+  throw InputError(InputPlace{.key = kOption},
+                   fmt::format("{} numbers are given, and {} has {}; give {}, or one for each of them", count,
+                               entry.field->name, entry.count, fewest))
+      .with_value(fmt::to_string(count),
+                  fmt::format("{} or {} numbers", is_of_task(entry) ? 2 : 1, entry.count));
+}
+
 }  // namespace
 
 void bound_stiffness(const std::vector<double>& most, Study& study) {
   const std::vector<GainEntry> entries = stiffness_of(study);
   if (entries.empty())
     throw InputError(
-        fmt::format("--max-stiffness has no effect: {} has no stiffness that acts here; leave the option out",
+        InputPlace{.key = kOption},
+        fmt::format("has no effect, because {} has no stiffness that acts here; leave the option out",
                     study.space.start.controller));
   for (const GainEntry& entry : entries) {
     if (is_tuned_or_linked(entry, study.space))
-      throw InputError(
-          fmt::format("{}: the study tunes {} itself; change its bounds there, or leave "
-                      "--max-stiffness out",
-                      where(study), entry.name));
+      throw InputError(InputPlace{where(study), 0, entry.name},
+                       fmt::format("the study tunes {} itself; change its bounds there, or leave {} out",
+                                   entry.name, kOption));
     const double upper = bound_of(entry, most);
-    if (upper <= 0.0)
-      throw InputError(fmt::format(
-          "--max-stiffness has {} numbers, and {} has {}; give {}, or one for each of them", most.size(),
-          entry.field->name, entry.count,
-          is_of_task(entry) ? "one for translations and one for rotations" : "one for all joints"));
+    if (upper <= 0.0) refuse_count(entry, most.size());
     double& start = value(study.space.start, entry);
     if (start == 0.0) continue;
     start = std::min(start, upper);
@@ -78,7 +87,7 @@ std::string note_on_stiffness(const Study& study) {
     if (is_tuned_or_linked(entry, study.space) || value(study.space.start, entry) == 0.0) continue;
     return fmt::format(
         "{} is not tuned: how stiff the arm may become depends on contacts, which are not simulated. To tune "
-        "it, give 'upper' in the study, or its largest values with 'armtune tune' --max-stiffness",
+        "it, give 'upper' in the study, or its largest values with --max-stiffness",
         entry.field->name);
   }
   return {};

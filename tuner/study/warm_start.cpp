@@ -1,6 +1,7 @@
 #include "tuner/study/warm_start.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -29,7 +30,8 @@ std::vector<bool> given(const ParameterSpace& space, const std::vector<std::stri
     }
     if (!found) {
       throw InputError(fmt::format("'{}' is not tuned by this study{}; name only tuned gains", name,
-                                   suggestion(name, tuned)));
+                                   suggestion(name, tuned)))
+          .with_value(name, fmt::format("one of: {}", fmt::join(tuned, ", ")));
     }
   }
   return chosen;
@@ -51,11 +53,12 @@ void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const P
   warm.gains = load_gains(warm.source, joints);
   if (warm.gains.controller != space.start.controller) {
     throw InputError(
-        InputPlace{warm.source},
+        InputPlace{warm.source, 0, "controller"},
         fmt::format(
             "holds gains of the controller {}, but the study tunes the controller {}; give a warm start for "
             "the study's controller",
-            warm.gains.controller, space.start.controller));
+            warm.gains.controller, space.start.controller))
+        .with_value(warm.gains.controller, space.start.controller);
   }
 }
 
@@ -69,7 +72,7 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
     const GainEntry& entry = space.free[i].entry;
     if (!has(warm.gains, entry)) {
       throw InputError(
-          InputPlace{warm.source},
+          InputPlace{warm.source, 0, entry.name},
           fmt::format("no {} is given, but the study tunes this gain; add the gain to this file, or restrict "
                       "warm_start/parameters in the study to gains that this file has",
                       entry.name));

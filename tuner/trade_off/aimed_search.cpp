@@ -67,10 +67,13 @@ bool AimedSearch::start() {
 void AimedSearch::check_reference(const Costs& start) const {
   for (std::size_t k = 0; k < options_.criteria.size(); ++k) {
     if (std::isfinite(start[k]) && start[k] != 0.0) continue;
-    throw InputError(fmt::format(
-        "{}: {} is {} with the start gains; a criterion needs a finite value other than 0 there; choose "
-        "another criterion",
-        where(study_), options_.criteria[k].name(), start[k]));
+    const std::string criterion = options_.criteria[k].name();
+    throw InputError(
+        InputPlace{where(study_), 0, criterion},
+        fmt::format("{} is {} with the start gains; a criterion needs a finite value other than 0 there; "
+                    "choose another criterion",
+                    criterion, start[k]))
+        .with_value(fmt::to_string(start[k]), "finite, and other than 0");
   }
 }
 

@@ -34,12 +34,15 @@ Criterion criterion_from_name(const std::string& name) {
     throw InputError(
         fmt::format("{} cannot be a criterion, because neither larger nor smaller is better; choose another "
                     "metric",
-                    name));
+                    name))
+        .with_value(name, "a metric of which larger or smaller values are better");
   }
   std::vector<std::string> names{kObjective};
   for (const MetricField& f : metric_fields()) names.emplace_back(f.name);
-  throw InputError(fmt::format("'{}' is neither 'objective' nor a metric{}; choose one of: {}", name,
-                               suggestion(name, names), fmt::join(names, ", ")));
+  const std::string known = fmt::format("one of: {}", fmt::join(names, ", "));
+  throw InputError(fmt::format("'{}' is neither 'objective' nor a metric{}; choose {}", name,
+                               suggestion(name, names), known))
+      .with_value(name, known);
 }
 
 double cost(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios) {

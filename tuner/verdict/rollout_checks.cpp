@@ -140,6 +140,18 @@ void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVe
     const bool all = names.size() == scenarios.size();
     add_once(all ? what : fmt::format("{} in {}", what, fmt::join(names, ", ")), verdict.not_checked);
   };
+  double unseen = 0.0;
+  for (const Scenario& scenario : scenarios) {
+    if (scenario.clearance)
+      unseen = std::max(unseen, scenario.clearance->most_unseen(scenario.control_period));
+  }
+  if (unseen > 0.0) {
+    add_once(
+        fmt::format("contact between two control periods (at the velocity limits, the arm's motion can bring "
+                    "bodies up to {:.2g} mm closer there)",
+                    1e3 * unseen),
+        verdict.not_checked);
+  }
   add("self-collision", without(Clearance::kSelf));
   const auto no_floor = without(Clearance::kFloor);
   const auto no_parts = without(Clearance::kCell);

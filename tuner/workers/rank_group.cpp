@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
@@ -29,17 +31,30 @@ Facts program_facts(const std::string& command_line) {
   return facts;
 }
 
-/// Returns the first difference as a text; empty if there is none.
-std::string difference(const Hello& rank, const Hello& leader) {
+/// A fact in which a rank differs from rank 0.
+struct Difference {
+  std::string text;    ///< clause that follows "the rank"
+  std::string theirs;  ///< value of the rank
+  std::string ours;    ///< value of rank 0
+};
+
+/// Returns the first difference, or nothing if there is none.
+std::optional<Difference> difference(const Hello& rank, const Hello& leader) {
   for (std::size_t i = 0; i < rank.facts.size() && i < leader.facts.size(); ++i) {
     const auto& [what, theirs] = rank.facts[i];
     const auto& [expected, ours] = leader.facts[i];
-    if (what != expected) return fmt::format("has {} where rank 0 has {}", what, expected);
-    if (theirs != ours)
-      return fmt::format("has another {}: {}, but rank 0 has {}", what, one_line(theirs), one_line(ours));
+    if (what != expected)
+      return Difference{fmt::format("has {} where rank 0 has {}", what, expected), what, expected};
+    if (theirs != ours) {
+      return Difference{
+          fmt::format("has another {}: {}, but rank 0 has {}", what, one_line(theirs), one_line(ours)),
+          theirs, ours};
+    }
   }
   if (rank.facts.size() == leader.facts.size()) return {};
-  return fmt::format("has {} values to compare, but rank 0 has {}", rank.facts.size(), leader.facts.size());
+  const std::string theirs = fmt::to_string(rank.facts.size());
+  const std::string ours = fmt::to_string(leader.facts.size());
+  return Difference{fmt::format("has {} values to compare, but rank 0 has {}", theirs, ours), theirs, ours};
 }
 
 }  // namespace
@@ -86,8 +101,11 @@ bool RankGroup::begin(RolloutPlan plan, int threads) {
   }
   if (threads > 1) {
     throw InputError(
-        fmt::format("--workers is {}, but each of the {} ranks is one worker; start more ranks instead",
-                    threads, ranks()));
+        InputPlace{.key = "--workers"},
+        fmt::format(
+            "{} workers are requested, but each of the {} ranks is one worker; start more ranks instead",
+            threads, ranks()))
+        .with_value(fmt::to_string(threads), "1");
   }
   compare(own());
   met_ = true;
@@ -111,14 +129,13 @@ void RankGroup::compare(const Hello& own) {
   for (Peer& peer : peers_) {
     const Hello hello = read_hello(hear(peer, kStartSeconds));
     peer.host = hello.host;
-    if (!hello.failure.empty()) {
-      throw InputError(fmt::format("rank {} on {}: {}", peer.rank, peer.host, hello.failure));
-    }
-    const std::string differs = difference(hello, own);
-    if (!differs.empty()) {
-      throw InputError(
-          fmt::format("rank {} on {} {}; start every rank with the same program, command and files",
-                      peer.rank, peer.host, differs));
+    const InputPlace place{.key = fmt::format("rank {} on {}", peer.rank, peer.host)};
+    if (!hello.failure.empty()) throw InputError(place, hello.failure);
+    if (const auto differs = difference(hello, own)) {
+      throw InputError(place,
+                       fmt::format("this rank {}; start every rank with the same program, command and files",
+                                   differs->text))
+          .with_value(one_line(differs->theirs), one_line(differs->ours));
     }
   }
   for (const Peer& peer : peers_) transport_->send(peer.rank, plain_message(MessageKind::kGo));

@@ -5,17 +5,28 @@
 // selects one of them for each arm (core/common/select.hpp).
 
 #include <memory>
-#include <type_traits>
 
 #include "core/common/select.hpp"
 #include "core/control/joint_space_law.hpp"
+#include "core/control/laws/lane_access.hpp"
+#include "core/control/laws/planned_joints.hpp"
 #include "core/control/measured_arm.hpp"
 #include "core/robot/slotine_li.hpp"
 
 namespace armtune::internal {
 
 /// The laws that exist as such templates.
-enum class ArmLawKind { kAdaptive, kComputedTorque, kJointPd, kImpedance };
+enum class ArmLawKind {
+  kAdaptive,
+  kComputedTorque,
+  kJointPd,
+  kImpedance,
+  kJointTrajectory,
+  kJointImpedance,
+  kCartesianImpedance
+};
+
+struct JtcNumbers;
 
 /// The inputs of such a law in one control period.
 template <typename T>
@@ -28,9 +39,10 @@ struct LawPeriodT {
   const JointVectorT<T>& S;    ///< q' - qr' (n)
   const JointVectorT<T>& Kd;   ///< Kd of the active state (n)
   const Vec6T<T>& pose_error;  ///< dx, for arms that do not track joints
-  MaskT<T> tracks_joints;      ///< true if the reference is a joint motion
-  MaskT<T> yields;             ///< true if an obstacle's repulsion moves the arm
-  T dt;                        ///< control period [s]
+  const PlannedJointsT<T>& planned;
+  MaskT<T> tracks_joints;  ///< true if the reference is a joint motion
+  MaskT<T> yields;         ///< true if an obstacle's repulsion moves the arm
+  T dt;                    ///< control period [s]
 };
 
 /// The start values of an arm's law: model parameters and gains.
@@ -41,10 +53,12 @@ struct LawNumbers {
   double adaptation_leakage = 0.0;  ///< [1/s]
   double inertia_leakage = 0.0;     ///< [1/s]
   double filter_share = 0.0;        ///< filter_share() of the adaptation's filter; 0: no filter
+  /// Null for kinds of controllers other than joint_trajectory_controller.
+  const JtcNumbers* joint_trajectory = nullptr;
 };
 
 template <typename T>
-class ArmLawT {
+class ArmLawT : protected LaneAccessT<T> {
  public:
   ArmLawT() = default;
   ArmLawT(const ArmLawT&) = delete;
@@ -63,40 +77,6 @@ class ArmLawT {
   /// Returns the motion of the last period's q', qr', qr'', from which the regressor Y follows; null if the
   /// law has none.
   virtual const SlotineLiT<T>* references_motion() const { return nullptr; }
-
- protected:
-  static void put([[maybe_unused]] int lane, double value, T& to) {
-    if constexpr (std::is_same_v<T, double>) {
-      to = value;
-    } else {
-      to.set(lane, value);
-    }
-  }
-  template <typename Vector>
-  static void put_all(int lane, const double* from, Vector& to) {
-    for (Eigen::Index i = 0; i < to.size(); ++i) put(lane, from[i], to[i]);
-  }
-  static MaskT<T> both(const MaskT<T>& a, const MaskT<T>& b) {
-    if constexpr (std::is_same_v<MaskT<T>, bool>) {
-      return a && b;
-    } else {
-      return a & b;
-    }
-  }
-  static MaskT<T> either(const MaskT<T>& a, const MaskT<T>& b) {
-    if constexpr (std::is_same_v<MaskT<T>, bool>) {
-      return a || b;
-    } else {
-      return a | b;
-    }
-  }
-  static MaskT<T> no(const MaskT<T>& a) {
-    if constexpr (std::is_same_v<MaskT<T>, bool>) {
-      return !a;
-    } else {
-      return ~a;
-    }
-  }
 };
 
 /// Makes a law for arms of n joints. It is defined in make_arm_law.hpp.

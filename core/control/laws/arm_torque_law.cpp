@@ -1,10 +1,9 @@
 #include "core/control/laws/arm_torque_law.hpp"
 
-#include <optional>
-
 #include "core/control/adaptation_filter.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/make_arm_law.hpp"
-#include "core/control/state_machine.hpp"
+#include "core/control/laws/one_arm_period.hpp"
 #include "core/robot/physical_theta.hpp"
 
 namespace armtune::internal {
@@ -17,21 +16,15 @@ class ArmTorqueLaw final : public TorqueLaw {
         law_(make_arm_law<double>(kind, setup.model.n())),
         adaptive_(kind == ArmLawKind::kAdaptive),
         projects_(adaptive_ && setup.gains.adaptation_projection),
-        period_(setup.period) {
-    std::vector<const double*> own;
-    law_->start(0, law_numbers(setup.gains, setup.theta, setup.period, own));
+        period_(setup) {
+    LawStorage storage;
+    law_->start(0, law_numbers(setup, storage));
   }
 
-  void torque(const LawInput& in, JointVector& tau) override {
-    const ControlOutput& control = in.control;
-    at_.emplace(LawPeriodT<double>{chain_, in.arm, in.measured.q, in.measured.qd, control.reference,
-                                   control.S, in.Kd, control.errors.pose, tracks_joints(control.state),
-                                   control.state == ControlState::kAvoidObstacles, period_});
-    law_->torque(*at_, tau);
-  }
+  void torque(const LawInput& in, JointVector& tau) override { law_->torque(period_.of(in), tau); }
 
   void conclude(bool learning) override {
-    law_->conclude(*at_, learning);
+    law_->conclude(period_.last(), learning);
     if (learning && projects_) project_to_physical(law_->theta());
   }
 
@@ -43,22 +36,27 @@ class ArmTorqueLaw final : public TorqueLaw {
   std::unique_ptr<ArmLawT<double>> law_;
   bool adaptive_;
   bool projects_;
-  double period_;
-  std::optional<LawPeriodT<double>> at_;  ///< arguments of the last torque()
+  OneArmPeriod period_;
 };
 
 }  // namespace
 
-LawNumbers law_numbers(const Gains& gains, const ParameterVector& theta, double period,
-                       std::vector<const double*>& own) {
-  own.clear();
-  for (const JointVector& gain : gains.own) own.push_back(gain.data());
-  return {theta.data(),
-          own.data(),
-          gains.adaptation_gain,
-          gains.adaptation_leakage,
-          gains.adaptation_inertia_leakage,
-          gains.adaptation_filter > 0.0 ? filter_share(gains.adaptation_filter, period) : 0.0};
+LawNumbers law_numbers(const LawSetup& setup, LawStorage& storage) {
+  const Gains& gains = setup.gains;
+  storage.own.clear();
+  for (const JointVector& gain : gains.own) storage.own.push_back(gain.data());
+  LawNumbers numbers{
+      setup.theta.data(),
+      storage.own.data(),
+      gains.adaptation_gain,
+      gains.adaptation_leakage,
+      gains.adaptation_inertia_leakage,
+      gains.adaptation_filter > 0.0 ? filter_share(gains.adaptation_filter, setup.period) : 0.0};
+  if (is_joint_trajectory_controller(gains.controller)) {
+    storage.joint_trajectory = jtc_numbers(setup.model, gains);
+    numbers.joint_trajectory = &storage.joint_trajectory;
+  }
+  return numbers;
 }
 
 std::unique_ptr<TorqueLaw> make_torque_law(ArmLawKind kind, const LawSetup& setup) {

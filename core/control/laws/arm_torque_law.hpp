@@ -6,14 +6,20 @@
 #include <vector>
 
 #include "core/control/laws/arm_law.hpp"
+#include "core/control/laws/jtc_command.hpp"
 #include "core/control/laws/torque_law.hpp"
 
 namespace armtune::internal {
 
-/// Returns the start values of such a law for these gains. own: storage for pointers to the gains that only
-/// this kind of controller has. own, gains and theta must outlive the result.
-LawNumbers law_numbers(const Gains& gains, const ParameterVector& theta, double period,
-                       std::vector<const double*>& own);
+/// Storage for the numbers to which LawNumbers points.
+struct LawStorage {
+  std::vector<const double*> own;
+  JtcNumbers joint_trajectory;
+};
+
+/// Returns the start values of the law that such a setup describes. storage and the setup's gains and theta
+/// must outlive the result.
+LawNumbers law_numbers(const LawSetup& setup, LawStorage& storage);
 
 std::unique_ptr<TorqueLaw> make_torque_law(ArmLawKind kind, const LawSetup& setup);
 

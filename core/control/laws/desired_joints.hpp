@@ -1,44 +1,47 @@
 #pragma once
-// Computes the joint motion that a controller for joint trajectories tracks. With such a controller the arm
-// can also perform tasks of the tool. The references of these tasks are joint velocities, which are
-// integrated to positions here.
+// Computes the joint motion that a controller for joint trajectories tracks, as a template for one arm or
+// several at once (arm_law.hpp). With such a controller the arm can also perform tasks of the tool. The
+// references of these tasks are joint velocities, which are integrated to positions here.
 
-#include "core/control/laws/torque_law.hpp"
+#include "core/control/laws/arm_law.hpp"
 
 namespace armtune::internal {
 
-class DesiredJoints {
+template <typename T>
+class DesiredJointsT : LaneAccessT<T> {
  public:
-  /// n: number of joints; period: control period [s].
-  DesiredJoints(int n, double period) : period_(period), step_(JointVector::Zero(n)) {}
-
-  /// Returns the desired position, velocity and acceleration (n each) of this period. In the state followPlan
-  /// they are those of the plan. In other states the velocity and acceleration are the references, and the
-  /// position is the integral of the reference velocity. This integral starts from the plan's last position
-  /// if there was a plan, else from the measured position. While an obstacle repels the arm, the desired
-  /// position is the measured one: the repulsion must move the arm, not stretch a spring. Call this function
-  /// once per period. It allocates nothing after the first period.
-  MotionPoint<JointVector> next(const LawInput& in) {
-    const ControlOutput& control = in.control;
-    if (control.state == ControlState::kFollowPlan) {
-      reference_ = control.planned.position;
-      step_.setZero();
-      begun_ = true;
-      return control.planned;
-    }
-    if (!begun_ || control.state == ControlState::kAvoidObstacles)
-      reference_ = in.measured.q;
-    else
-      reference_ += step_;
-    begun_ = true;
-    step_ = period_ * control.reference.velocity;
-    return {reference_, control.reference.velocity, control.reference.acceleration};
+  /// n: number of joints.
+  explicit DesiredJointsT(int n) {
+    for (JointVectorT<T>* x : {&position_, &velocity_, &step_}) x->setZero(n);
   }
 
+  void start(int lane) { this->put(lane, 1.0, fresh_); }
+
+  /// Computes the desired position and velocity (n each) of this period. In the state followPlan they are
+  /// those of the plan. In other states the velocity is the reference, and the position is the integral of
+  /// the reference velocity. This integral starts from the plan's last position if there was a plan, else
+  /// from the measured position. While an obstacle repels the arm, the desired position is the measured one:
+  /// the repulsion must move the arm, not stretch a spring. Call this function once per period. Allocates
+  /// nothing.
+  void compute(const LawPeriodT<T>& at) {
+    const MaskT<T>& planned = at.planned.active;
+    const MaskT<T> from_here = this->either(at.yields, fresh_ > T(0.0));
+    fresh_ = T(0.0);
+    for (Eigen::Index i = 0; i < position_.size(); ++i) {
+      const T free = select(from_here, at.q[i], position_[i] + step_[i]);
+      position_[i] = select(planned, at.planned.position[i], free);
+      velocity_[i] = select(planned, at.planned.velocity[i], at.reference.velocity[i]);
+      step_[i] = select(planned, T(0.0), at.dt * at.reference.velocity[i]);
+    }
+  }
+
+  const JointVectorT<T>& position() const { return position_; }
+  const JointVectorT<T>& velocity() const { return velocity_; }
+
  private:
-  double period_;
-  JointVector reference_, step_;
-  bool begun_ = false;  ///< reference_ is from the last period
+  JointVectorT<T> position_, velocity_;
+  JointVectorT<T> step_;  ///< change of the position until the next period
+  T fresh_{1.0};          ///< above zero before the first period
 };
 
 }  // namespace armtune::internal

@@ -1,56 +1,9 @@
 #include "core/control/laws/joint_impedance_law.hpp"
 
-#include "core/control/laws/desired_joints.hpp"
+#include "core/control/laws/arm_torque_law.hpp"
 #include "core/control/laws/first_gains.hpp"
-#include "core/control/laws/rigid_torque.hpp"
-#include "core/control/laws/torque_rate.hpp"
 
 namespace armtune::internal {
-namespace {
-
-class JointImpedanceLaw final : public TorqueLaw {
- public:
-  explicit JointImpedanceLaw(const LawSetup& setup)
-      : TorqueLaw(setup),
-        k_(own(setup.gains, "joint_impedance_k")),
-        d_(own(setup.gains, "joint_impedance_d") +
-           2.0 * own(setup.gains, "joint_impedance_damping_ratio").cwiseProduct(k_.cwiseSqrt())),
-        velocity_factor_(own(setup.gains, "joint_impedance_velocity_factor")[0]),
-        coriolis_factor_(own(setup.gains, "joint_impedance_coriolis_factor")[0]),
-        filter_(own(setup.gains, "joint_impedance_filter")[0]),
-        rate_(setup.model.n(), own(setup.gains, "joint_impedance_torque_rate")[0], setup.period),
-        rigid_(setup.model.chain, setup.theta),
-        desired_(setup.model.n(), setup.period),
-        velocity_(JointVector::Zero(setup.model.n())) {}
-
-  void torque(const LawInput& in, JointVector& tau) override {
-    const MotionPoint<JointVector> desired = desired_.next(in);
-    const JointVector &q = in.measured.q, &qd = in.measured.qd;
-    velocity_ = filter_ * velocity_ + (1.0 - filter_) * qd;
-    command_ = k_.cwiseProduct(desired.position - q) +
-               d_.cwiseProduct(velocity_factor_ * desired.velocity - velocity_);
-    rigid_.at_rest(in.arm, tau);
-    if (coriolis_factor_ != 0.0) {
-      rigid_.moving(in.arm, qd, moving_);
-      command_ += coriolis_factor_ * (moving_ - tau);
-    }
-    rate_.limit(command_);
-    tau += command_;
-  }
-
- private:
-  JointVector k_, d_;
-  double velocity_factor_, coriolis_factor_;
-  double filter_;  ///< share of the last filtered velocity in the next
-  TorqueRate rate_;
-  RigidTorque rigid_;
-  DesiredJoints desired_;
-  JointVector velocity_;  ///< filtered q'
-  JointVector command_;   ///< without gravity
-  JointVector moving_;
-};
-
-}  // namespace
 
 ControllerKind joint_impedance_controller() {
   constexpr auto kJoints = GainShape::kJoints;
@@ -81,11 +34,13 @@ ControllerKind joint_impedance_controller() {
        filter,
        not_tuned(own_gain(kScalar, "joint_impedance_torque_rate", "N m/s",
                           "largest change of each commanded torque per second; 0: no limit", 0.0))},
-      [](const LawSetup& setup) { return std::make_unique<JointImpedanceLaw>(setup); },
+      [](const LawSetup& setup) { return make_torque_law(ArmLawKind::kJointImpedance, setup); },
       [](const RobotModel& robot, const JointVector& q, Gains& gains) {
         critically_damped(robot, q, own(gains, "joint_impedance_k"), own(gains, "joint_impedance_d"));
         without_velocity_limits(gains);
-      }};
+      },
+      false,
+      ArmLawKind::kJointImpedance};
 }
 
 }  // namespace armtune::internal

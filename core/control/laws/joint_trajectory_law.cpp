@@ -1,13 +1,12 @@
 #include "core/control/laws/joint_trajectory_law.hpp"
 
 #include <array>
-#include <cmath>
-#include <optional>
 #include <string_view>
 
-#include "core/control/laws/desired_joints.hpp"
+#include "core/control/laws/arm_torque_law.hpp"
 #include "core/control/laws/first_gains.hpp"
-#include "core/control/laws/ros_pid.hpp"
+#include "core/control/laws/joint_drives.hpp"
+#include "core/control/laws/one_arm_period.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -54,75 +53,33 @@ bool wraps(Wraparound rule, bool has_limits, bool asked) {
   return rule == Wraparound::kAll || !has_limits;
 }
 
-class JointTrajectoryLaw final : public TorqueLaw {
+/// The law with velocity commands. Its drives compute torques between control periods too, from states that
+/// are measured then.
+class JointTrajectoryVelocityLaw final : public TorqueLaw {
  public:
-  explicit JointTrajectoryLaw(const LawSetup& setup)
+  explicit JointTrajectoryVelocityLaw(const LawSetup& setup)
       : TorqueLaw(setup),
-        feeds_forward_(jtc_gain(setup.gains, "ff_velocity_scale")),
-        feeds_next_velocity_(rules_of(jtc_distro(setup.gains)).feeds_next_velocity),
-        held_by_robot_(setup.model.compensates_gravity),
-        period_(setup.period),
-        desired_(setup.model.n(), setup.period) {
-    if (setup.gains.controller == kJointTrajectoryVelocityController)
-      drives_.emplace(setup.model, setup.period, setup.drives);
-    const auto anti_windup = static_cast<std::size_t>(jtc_gain(setup.gains, "antiwindup")[0]);
-    for (int i = 0; i < setup.model.n(); ++i) {
-      RosPidGains& gains = gains_[static_cast<std::size_t>(i)];
-      gains.p = jtc_gain(setup.gains, "p")[i];
-      gains.i = jtc_gain(setup.gains, "i")[i];
-      gains.d = jtc_gain(setup.gains, "d")[i];
-      gains.i_max = jtc_gain(setup.gains, "i_clamp")[i];
-      gains.i_min = -jtc_lower_i_clamp(setup.gains, i);
-      gains.u_max = jtc_gain(setup.gains, "u_clamp_max")[i];
-      gains.u_min = -jtc_gain(setup.gains, "u_clamp_min")[i];
-      gains.anti_windup = kAntiWindups[anti_windup];
-      gains.tracking_time = jtc_gain(setup.gains, "tracking_time")[i];
-      gains.deadband = jtc_gain(setup.gains, "error_deadband")[i];
-      const auto k = static_cast<std::size_t>(i);
-      turns_[k] =
-          wraps(rules_of(jtc_distro(setup.gains)).wraparound, setup.model.joints[k].limits.has_position,
-                jtc_gain(setup.gains, "angle_wraparound")[i] != 0.0);
-    }
+        period_(setup),
+        law_(setup.model.n()),
+        drives_(setup.model, setup.period, setup.drives) {
+    law_.start(0, jtc_numbers(setup.model, setup.gains));
   }
 
   void torque(const LawInput& in, JointVector& tau) override {
-    const MotionPoint<JointVector> desired = desired_.next(in);
-    const bool ahead =
-        feeds_next_velocity_ && in.control.state == ControlState::kFollowPlan && !feeds_forward_.isZero(0.0);
-    JointVector next = ahead ? in.scene.plan->at(in.time + period_).velocity : desired.velocity;
-    if (ahead && in.scene.holds_plan && in.time + period_ > in.scene.plan->end()) next.setZero();
-    command_.resize(feeds_forward_.size());
-    for (Eigen::Index i = 0; i < command_.size(); ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const double away = desired.position[i] - in.measured.q[i];
-      const double error = turns_[k] ? std::remainder(away, 2.0 * M_PI) : away;
-      command_[i] = feeds_forward_[i] * next[i] +
-                    pids_[k].output(gains_[k], error, desired.velocity[i] - in.measured.qd[i], period_);
-    }
-    if (drives_ ? drives_->needs_weight() : held_by_robot_) gravity_torque(in.arm, weight_);
-    if (drives_) {
-      drives_->begin(command_, in.measured, weight_);
-      drives_->torque(in.measured, tau);
-    } else {
-      tau = command_;
-      if (held_by_robot_) tau += weight_;
-    }
+    law_.compute(period_.of(in), command_);
+    if (drives_.needs_weight()) gravity_torque(in.arm, weight_);
+    drives_.begin(command_, in.measured, weight_);
+    drives_.torque(in.measured, tau);
   }
 
-  JointDrives* drives() override { return drives_ ? &*drives_ : nullptr; }
+  JointDrives* drives() override { return &drives_; }
 
  private:
-  std::array<RosPidGains, kMaxJoints> gains_{};
-  std::array<RosPid, kMaxJoints> pids_{};
-  std::array<bool, kMaxJoints> turns_{};  ///< true: the joint takes the short way round
-  JointVector feeds_forward_;
-  bool feeds_next_velocity_;  ///< false: the feed-forward takes the desired velocity of this period
-  JointVector command_;       ///< efforts or velocities
-  std::optional<JointDrives> drives_;
-  bool held_by_robot_;  ///< the robot itself compensates gravity
+  OneArmPeriod period_;
+  JtcCommandT<double> law_;
+  JointDrives drives_;
+  JointVector command_;  ///< velocities
   JointVector weight_;
-  double period_;
-  DesiredJoints desired_;
 };
 
 /// Its own gains: units of an effort, or of a velocity that is commanded.
@@ -182,10 +139,6 @@ std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*
       distro};
 }
 
-std::unique_ptr<TorqueLaw> make_law(const LawSetup& setup) {
-  return std::make_unique<JointTrajectoryLaw>(setup);
-}
-
 }  // namespace
 
 bool is_joint_trajectory_controller(const std::string& kind) {
@@ -212,6 +165,35 @@ double jtc_lower_i_clamp(const Gains& gains, Eigen::Index joint) {
   return own_size != 0.0 ? own_size : jtc_gain(gains, "i_clamp")[joint];
 }
 
+bool feeds_next_velocity(const Gains& gains) {
+  return is_joint_trajectory_controller(gains.controller) &&
+         rules_of(jtc_distro(gains)).feeds_next_velocity && !jtc_gain(gains, "ff_velocity_scale").isZero(0.0);
+}
+
+JtcNumbers jtc_numbers(const RobotModel& model, const Gains& gains) {
+  JtcNumbers numbers;
+  numbers.held_by_robot = model.compensates_gravity;
+  const auto anti_windup = static_cast<std::size_t>(jtc_gain(gains, "antiwindup")[0]);
+  for (int i = 0; i < model.n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    RosPidGains& pid = numbers.pid[k];
+    pid.p = jtc_gain(gains, "p")[i];
+    pid.i = jtc_gain(gains, "i")[i];
+    pid.d = jtc_gain(gains, "d")[i];
+    pid.i_max = jtc_gain(gains, "i_clamp")[i];
+    pid.i_min = -jtc_lower_i_clamp(gains, i);
+    pid.u_max = jtc_gain(gains, "u_clamp_max")[i];
+    pid.u_min = -jtc_gain(gains, "u_clamp_min")[i];
+    pid.anti_windup = kAntiWindups[anti_windup];
+    pid.tracking_time = jtc_gain(gains, "tracking_time")[i];
+    pid.deadband = jtc_gain(gains, "error_deadband")[i];
+    numbers.feed_forward[k] = jtc_gain(gains, "ff_velocity_scale")[i];
+    numbers.wraps[k] = wraps(rules_of(jtc_distro(gains)).wraparound, model.joints[k].limits.has_position,
+                             jtc_gain(gains, "angle_wraparound")[i] != 0.0);
+  }
+  return numbers;
+}
+
 ControllerKind joint_trajectory_controller() {
   return {
       kJointTrajectoryController,
@@ -219,12 +201,14 @@ ControllerKind joint_trajectory_controller() {
       {},
       jtc_fields(kJointTrajectoryController, {"N m/rad", "N m/(rad s)", "N m s/rad", "N m", "N m s/rad"},
                  100.0, 10.0),
-      make_law,
+      [](const LawSetup& setup) { return make_torque_law(ArmLawKind::kJointTrajectory, setup); },
       [](const RobotModel& robot, const JointVector& q, Gains& gains) {
         critically_damped(robot, q, own(gains, "jtc_p"), own(gains, "jtc_d"));
         own(gains, "jtc_i") = kIntegralRate * own(gains, "jtc_p");
         without_velocity_limits(gains);
-      }};
+      },
+      false,
+      ArmLawKind::kJointTrajectory};
 }
 
 ControllerKind joint_trajectory_velocity_controller() {
@@ -234,7 +218,7 @@ ControllerKind joint_trajectory_velocity_controller() {
           {},
           jtc_fields(kJointTrajectoryVelocityController, {"1/s", "1/s^2", "1", "rad/s", "1"},
                      kOuterRate * kDriveRate, 0.0),
-          make_law,
+          [](const LawSetup& setup) { return std::make_unique<JointTrajectoryVelocityLaw>(setup); },
           [](const RobotModel&, const JointVector&, Gains& gains) { without_velocity_limits(gains); }};
 }
 

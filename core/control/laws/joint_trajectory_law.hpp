@@ -3,6 +3,7 @@
 // simulates them to tune gains for the real controller.
 
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/jtc_command.hpp"
 #include "core/control/laws/ros_distro.hpp"
 
 namespace armtune::internal {
@@ -25,6 +26,13 @@ JointVector& jtc_gain(Gains& gains, const std::string& what);
 RosDistro jtc_distro(const Gains& gains);
 /// Returns the size of the lower bound of the integral's contribution for a joint.
 double jtc_lower_i_clamp(const Gains& gains, Eigen::Index joint);
+
+/// True if the feed-forward of these gains takes the desired velocity of the next period of a planned motion.
+/// False for gains of other kinds.
+bool feeds_next_velocity(const Gains& gains);
+
+/// Returns the numbers of the law with these gains, for gains of such a kind that are valid for the robot.
+JtcNumbers jtc_numbers(const RobotModel& model, const Gains& gains);
 
 /// Makes the kind with effort commands. Each joint has a PID on its error from the desired motion, and a
 /// feed-forward of the desired velocity:

@@ -3,9 +3,12 @@
 // only where the laws are compiled for a scalar type T.
 
 #include "core/control/laws/adaptive_arm_law.hpp"
+#include "core/control/laws/cartesian_impedance_arm_law.hpp"
 #include "core/control/laws/computed_torque_arm_law.hpp"
 #include "core/control/laws/impedance_arm_law.hpp"
+#include "core/control/laws/joint_impedance_arm_law.hpp"
 #include "core/control/laws/joint_pd_arm_law.hpp"
+#include "core/control/laws/joint_trajectory_arm_law.hpp"
 
 namespace armtune::internal {
 
@@ -20,6 +23,12 @@ std::unique_ptr<ArmLawT<T>> make_arm_law(ArmLawKind kind, int n) {
       return std::make_unique<JointPdArmLawT<T>>(n);
     case ArmLawKind::kImpedance:
       return std::make_unique<ImpedanceArmLawT<T>>(n);
+    case ArmLawKind::kJointTrajectory:
+      return std::make_unique<JointTrajectoryArmLawT<T>>(n);
+    case ArmLawKind::kJointImpedance:
+      return std::make_unique<JointImpedanceArmLawT<T>>(n);
+    case ArmLawKind::kCartesianImpedance:
+      return std::make_unique<CartesianImpedanceArmLawT<T>>(n);
   }
   return nullptr;
 }

@@ -3,6 +3,7 @@
 #include "core/control/laws/desired_joints.hpp"
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/joint_drives.hpp"
+#include "core/control/laws/one_arm_period.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -17,11 +18,15 @@ class PositionStreamingLaw final : public TorqueLaw {
         drives_(setup.model, setup.period, setup.drives,
                 {own(setup.gains, "servo_gain")[0], own(setup.gains, "servo_lookahead_time")[0]},
                 own(setup.gains, "servo_position_gain")[0]),
-        desired_(setup.model.n(), setup.period) {}
+        period_(setup),
+        desired_(setup.model.n()) {
+    desired_.start(0);
+  }
 
   void torque(const LawInput& in, JointVector& tau) override {
     if (drives_.needs_weight()) gravity_torque(in.arm, weight_);
-    drives_.begin(desired_.next(in).position, in.measured, weight_);
+    desired_.compute(period_.of(in));
+    drives_.begin(desired_.position(), in.measured, weight_);
     drives_.torque(in.measured, tau);
   }
 
@@ -29,7 +34,8 @@ class PositionStreamingLaw final : public TorqueLaw {
 
  private:
   JointDrives drives_;
-  DesiredJoints desired_;
+  OneArmPeriod period_;
+  DesiredJointsT<double> desired_;
   JointVector weight_;
 };
 

@@ -1,36 +1,46 @@
 #pragma once
 // Computes the gravity torque, and the Coriolis and centrifugal torque, from the controller's model of the
 // arm, without friction. Franka's robots add the gravity torque themselves, so that impedance controllers for
-// them add only the Coriolis and centrifugal torque.
+// them add only the Coriolis and centrifugal torque. It is a template for one arm or several at once
+// (arm_law.hpp).
 
-#include "core/control/measured_arm.hpp"
-#include "core/robot/slotine_li.hpp"
+#include "core/control/laws/arm_law.hpp"
 #include "core/robot/theta.hpp"
 
 namespace armtune::internal {
 
-class RigidTorque {
+template <typename T>
+class RigidTorqueT : LaneAccessT<T> {
  public:
-  /// chain outlives this object. theta (13 n) is copied; its friction is not used.
-  RigidTorque(const Chain& chain, const ParameterVector& theta)
-      : chain_(chain), theta_(theta), rest_(JointVector::Zero(chain.n)) {
-    for (int i = 0; i < chain.n; ++i) theta_.segment<2>(joint_parameter_index(chain.n, i) + 1).setZero();
+  /// n: number of joints.
+  explicit RigidTorqueT(int n)
+      : theta_(ParameterVectorT<T>::Zero((kLinkParameters + kJointParameters) * n)),
+        rest_(JointVectorT<T>::Zero(n)) {}
+
+  /// theta (13 n): parameters of the controller's model of the arm. Its friction is not used.
+  void start(int lane, const double* theta) {
+    const auto n = static_cast<int>(rest_.size());
+    this->put_all(lane, theta, theta_);
+    for (int i = 0; i < n; ++i) {
+      const int viscous = joint_parameter_index(n, i) + 1;
+      this->put(lane, 0.0, theta_[viscous]);
+      this->put(lane, 0.0, theta_[viscous + 1]);
+    }
   }
 
   /// Computes g(q) (n) [N m, N].
-  void at_rest(const MeasuredArm& arm, JointVector& tau) { moving(arm, rest_, tau); }
+  void at_rest(const LawPeriodT<T>& at, JointVectorT<T>& tau) { moving(at, rest_, tau); }
 
   /// Computes C(q, v) v + g(q) (n) [N m, N] at the joint velocities v (n).
-  void moving(const MeasuredArm& arm, const JointVector& v, JointVector& tau) {
-    slotine_li_forward(chain_, arm.poses, v, v, rest_, motion_);
-    slotine_li_torque(chain_, arm.poses, motion_, theta_, tau);
+  void moving(const LawPeriodT<T>& at, const JointVectorT<T>& v, JointVectorT<T>& tau) {
+    slotine_li_forward(at.chain, at.arm.poses, v, v, rest_, motion_);
+    slotine_li_torque(at.chain, at.arm.poses, motion_, theta_, tau);
   }
 
  private:
-  const Chain& chain_;
-  ParameterVector theta_;
-  JointVector rest_;  ///< zeros
-  SlotineLi motion_;
+  ParameterVectorT<T> theta_;
+  JointVectorT<T> rest_;  ///< zeros
+  SlotineLiT<T> motion_;
 };
 
 }  // namespace armtune::internal

@@ -3,9 +3,10 @@
 // 2026), with all kinds of anti-windup that a controller's parameter file can choose, and limits of the
 // output.
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/control/laws/lane_access.hpp"
 
 namespace armtune::internal {
 
@@ -39,49 +40,78 @@ struct RosPidGains {
   double deadband = 0.0;       ///< errors up to this leave the integral unchanged
 };
 
-class RosPid {
+/// The PID of one joint, as a template for one arm or several at once (arm_law.hpp). Each arm has gains of
+/// its own.
+template <typename T>
+class RosPidT : LaneAccessT<T> {
  public:
+  /// Sets the gains of an arm, and its integral to 0.
+  void start(int lane, const RosPidGains& gains) {
+    this->put(lane, 0.0, integral_);
+    this->put(lane, gains.p, p_);
+    this->put(lane, gains.i, i_);
+    this->put(lane, gains.d, d_);
+    this->put(lane, gains.i_max, i_max_);
+    this->put(lane, gains.i_min, i_min_);
+    this->put(lane, gains.u_max, u_max_);
+    this->put(lane, gains.u_min, u_min_);
+    this->put(lane, gains.deadband, deadband_);
+    const bool of_integral = gains.anti_windup == AntiWindup::kOfIntegral;
+    const bool returns = gains.anti_windup == AntiWindup::kBackCalculation && gains.i != 0.0;
+    this->mark(lane, of_integral, of_integral_);
+    this->mark(lane, of_integral || gains.anti_windup == AntiWindup::kOfContribution, before_use_);
+    this->mark(lane, gains.anti_windup == AntiWindup::kConditional, conditional_);
+    this->mark(lane, returns, returns_);
+    this->put(lane, returns ? tracking_time(gains) : 1.0, tracking_time_);
+  }
+
   /// Computes the output for an error (desired - measured) and its rate. dt: time since the last call, > 0
   /// [s]. error, error_rate and dt must be finite.
-  double output(const RosPidGains& gains, double error, double error_rate, double dt) {
-    const bool integrates = std::abs(error) > gains.deadband;
-    const double grown = integral_ + gains.i * dt * error;
-    double used = integral_;
-    if (integrates && gains.anti_windup == AntiWindup::kOfContribution) integral_ = grown;
-    if (integrates && gains.anti_windup == AntiWindup::kOfIntegral)
-      integral_ = std::clamp(grown, gains.i_min, gains.i_max);
-    if (before_use(gains.anti_windup)) used = std::clamp(integral_, gains.i_min, gains.i_max);
+  T output(const T& error, const T& error_rate, const T& dt) {
+    using std::abs;
+    const MaskT<T> integrates = abs(error) > deadband_;
+    const T grown = integral_ + i_ * dt * error;
+    const T stopped = select(of_integral_, this->clamped(grown, i_min_, i_max_), grown);
+    const T before = select(integrates, stopped, integral_);
+    const T used = select(before_use_, this->clamped(before, i_min_, i_max_), integral_);
 
-    const double wanted = gains.p * error + used + gains.d * error_rate;
-    const double given = std::clamp(wanted, gains.u_min, gains.u_max);
-    if (before_use(gains.anti_windup)) return given;
-
-    const bool saturated = std::abs(wanted - given) > kNothing;
-    const bool rests = gains.anti_windup == AntiWindup::kConditional && saturated && error * wanted > 0.0;
-    if (integrates && !rests) {
-      integral_ = grown;
-      if (gains.anti_windup == AntiWindup::kBackCalculation && gains.i != 0.0)
-        integral_ += dt / tracking_time(gains) * (given - wanted);
+    const T wanted = p_ * error + used + d_ * error_rate;
+    const T given = this->clamped(wanted, u_min_, u_max_);
+    if (all(before_use_)) {
+      integral_ = before;
+      return given;
     }
-    integral_ = std::clamp(integral_, gains.i_min, gains.i_max);
+
+    const MaskT<T> saturated = abs(wanted - given) > T(kNothing);
+    const MaskT<T> same_sign = error * wanted > T(0.0);
+    const MaskT<T> rests = this->both(conditional_, this->both(saturated, same_sign));
+    const T returned = select(returns_, grown + dt / tracking_time_ * (given - wanted), grown);
+    const T after = select(this->both(integrates, this->no(rests)), returned, integral_);
+    integral_ = select(before_use_, before, this->clamped(after, i_min_, i_max_));
     return given;
   }
 
   /// Returns the integral's contribution, before kOfContribution clamps it.
-  double integral() const { return integral_; }
+  const T& integral() const { return integral_; }
 
  private:
   static constexpr double kNothing = std::numeric_limits<double>::epsilon();
 
-  static bool before_use(AntiWindup kind) {
-    return kind == AntiWindup::kOfContribution || kind == AntiWindup::kOfIntegral;
-  }
   static double tracking_time(const RosPidGains& gains) {
     if (gains.tracking_time > kNothing) return gains.tracking_time;
     return gains.d > kNothing ? std::sqrt(gains.d / gains.i) : gains.p / gains.i;
   }
 
-  double integral_ = 0.0;
+  T p_{0.0}, i_{0.0}, d_{0.0};
+  T i_max_{0.0}, i_min_{0.0}, u_max_{0.0}, u_min_{0.0};
+  T deadband_{0.0};
+  T tracking_time_{1.0};
+  MaskT<T> of_integral_{};  ///< kOfIntegral
+  MaskT<T> before_use_{};   ///< the integral grows before it is used: kOfIntegral, kOfContribution
+  MaskT<T> conditional_{};  ///< kConditional
+  MaskT<T> returns_{};      ///< kBackCalculation of a PID that integrates
+  T integral_{0.0};
 };
+using RosPid = RosPidT<double>;
 
 }  // namespace armtune::internal

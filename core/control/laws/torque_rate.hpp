@@ -1,29 +1,40 @@
 #pragma once
-// Limits how fast commanded torques change, as the example controllers for Franka's arms do.
+// Limits how fast commanded torques change, as the example controllers for Franka's arms do. It is a template
+// for one arm or several at once (arm_law.hpp).
 
 #include "core/common/types.hpp"
+#include "core/control/laws/lane_access.hpp"
 
 namespace armtune::internal {
 
-class TorqueRate {
+template <typename T>
+class TorqueRateT : LaneAccessT<T> {
  public:
-  /// n: number of joints; rate: largest change per second [N m/s, N/s], 0: no limit; period: control period
-  /// [s]. The first command is limited as if the one before had been 0.
-  TorqueRate(int n, double rate, double period) : step_(rate * period), last_(JointVector::Zero(n)) {}
+  /// n: number of joints.
+  explicit TorqueRateT(int n) : last_(JointVectorT<T>::Zero(n)) {}
 
-  /// Changes the command (n) so that no entry differs from that of the last command by more than rate times
-  /// period.
-  void limit(JointVector& command) {
-    if (step_ > 0.0) command = last_ + (command - last_).cwiseMax(-step_).cwiseMin(step_);
-    last_ = command;
+  /// rate: largest change per second [N m/s, N/s]; 0: no limit. The first command is limited as if the one
+  /// before had been 0.
+  void start(int lane, double rate) {
+    this->put(lane, rate, rate_);
+    for (Eigen::Index i = 0; i < last_.size(); ++i) this->put(lane, 0.0, last_[i]);
   }
 
-  /// Sets the last command (n). Call it in periods in which the joints were commanded without this limit.
-  void follow(const JointVector& command) { last_ = command; }
+  /// Changes the command (n) so that no entry differs from that of the last command by more than rate times
+  /// the control period dt [s]. exempt: true for arms whose command is not limited in this period.
+  void limit(const T& dt, JointVectorT<T>& command, const MaskT<T>& exempt = MaskT<T>{}) {
+    const MaskT<T> limits = this->both(rate_ > T(0.0), this->no(exempt));
+    const T most = rate_ * dt;
+    for (Eigen::Index i = 0; i < command.size(); ++i) {
+      const T change = command[i] - last_[i];
+      command[i] = select(limits, last_[i] + this->clamped(change, -most, most), command[i]);
+      last_[i] = command[i];
+    }
+  }
 
  private:
-  double step_;
-  JointVector last_;
+  T rate_{0.0};
+  JointVectorT<T> last_;
 };
 
 }  // namespace armtune::internal

@@ -34,11 +34,23 @@ std::string unique_path(const char* stream) {
 
 }  // namespace
 
+std::string program_path() {
+  return ARMTUNE_PROGRAM;
+}
+
+std::string mpiexec_path() {
+#ifdef ARMTUNE_MPIEXEC
+  return ARMTUNE_MPIEXEC;
+#else
+  return {};
+#endif
+}
+
 Program::Program(const std::vector<std::string>& arguments, const std::string& folder,
                  const std::vector<std::string>& launcher)
     : out_path_(unique_path("out")), err_path_(unique_path("err")) {
   std::vector<std::string> all = launcher;
-  all.emplace_back(ARMTUNE_PROGRAM);
+  all.push_back(program_path());
   all.insert(all.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& argument : all) pointers.push_back(argument.data());

@@ -6,6 +6,12 @@
 
 namespace armtune::internal::test {
 
+/// Returns the path of the program that is tested.
+std::string program_path();
+
+/// Returns the path of mpiexec, or an empty text if armtune is built without MPI.
+std::string mpiexec_path();
+
 struct Finished {
   int exit_code = -1;  ///< -1: ended by a signal
   std::string out;

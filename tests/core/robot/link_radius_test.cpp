@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "armtune/error.hpp"
 #include "tests/core/support/arms.hpp"
+#include "tests/core/support/refused_at.hpp"
 
 namespace armtune::internal {
 namespace link_radius_test {
@@ -39,23 +39,19 @@ TEST(LinkRadius, IsTheLargestOfWhatALinkCollidesWithOrElseShows) {
 
 TEST(LinkRadius, OfAnArmWithoutItIsAskedForByName) {
   RobotModel arm = test::ur10();
-  const auto refusal = [&] {
-    try {
-      with_link_surfaces(arm);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
+  const auto surfaces = [&] { return with_link_surfaces(arm); };
   arm.link_radii.resize(0);
-  EXPECT_THAT(refusal(),
-              testing::AllOf(testing::HasSubstr(arm.joints[0].link), testing::HasSubstr("link_radius")));
+  EXPECT_THAT(surfaces,
+              test::refused_at({.file = arm.source,
+                                .key = "link_radius/" + arm.joints[0].link,
+                                .limit = "a radius in m for: shoulder_link, upper_arm_link, "
+                                         "forearm_link, wrist_1_link, wrist_2_link, wrist_3_link"}));
   arm.link_radii = JointVector::Constant(6, 0.05);
   EXPECT_EQ(with_link_surfaces(arm).chain.link_radius, arm.link_radii);
   EXPECT_EQ(arm.chain.link_radius.size(), 0) << "of joints, as it was";
   arm.link_radii[4] = NAN;
-  EXPECT_THAT(refusal(), testing::AllOf(testing::HasSubstr("not known: " + arm.joints[4].link + "."),
-                                        testing::Not(testing::HasSubstr(arm.joints[3].link))));
+  EXPECT_THAT(surfaces, test::refused_at({.key = "link_radius/" + arm.joints[4].link,
+                                          .limit = "a radius in m for: " + arm.joints[4].link}));
 }
 
 }  // namespace link_radius_test

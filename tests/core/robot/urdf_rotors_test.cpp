@@ -9,9 +9,8 @@ namespace urdf_rotors_test {
 using test::joint;
 using test::link;
 using test::one_joint;
+using test::refused_at;
 using test::robot;
-using testing::AllOf;
-using testing::HasSubstr;
 
 std::string transmission(const std::string& joint, const std::string& in_actuators) {
   return fmt::format(
@@ -56,22 +55,22 @@ TEST(UrdfRotors, WithoutARotorOrWithSeveralJointsNothingIsGiven) {
 }
 
 TEST(UrdfRotors, ValuesThatMeanNothingAreRefused) {
-  const auto refused = [](const std::string& in_actuator) {
-    try {
-      read(transmission("elbow", actuator(in_actuator)));
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+  struct Refused {
+    std::string in_actuator, element, value, limit;
   };
-  const auto names_it = AllOf(HasSubstr("arm.urdf"), HasSubstr("'elbow'"));
-  EXPECT_THAT(refused("<drake:rotor_inertia value='a lot'/>"), AllOf(names_it, HasSubstr("a lot")));
-  EXPECT_THAT(refused("<drake:rotor_inertia value='nan'/>"), AllOf(names_it, HasSubstr("nan")));
-  EXPECT_THAT(refused("<drake:rotor_inertia/>"), AllOf(names_it, HasSubstr("drake:rotor_inertia")));
-  EXPECT_THAT(refused("<drake:rotor_inertia value='-1e-4'/>"), AllOf(names_it, HasSubstr("-0.0001")));
-  EXPECT_THAT(refused(kRotor + "<drake:gear_ratio value='0'/>"), AllOf(names_it, HasSubstr("gear_ratio")));
-  EXPECT_THAT(refused(kRotor + "<mechanicalReduction>1:100</mechanicalReduction>"),
-              AllOf(names_it, HasSubstr("1:100")));
+  const std::string rotor = "drake:rotor_inertia";
+  for (const auto& [in_actuator, element, value, limit] :
+       {Refused{"<drake:rotor_inertia value='a lot'/>", rotor, "a lot", "a finite number"},
+        Refused{"<drake:rotor_inertia value='nan'/>", rotor, "nan", "a finite number"},
+        Refused{"<drake:rotor_inertia/>", rotor, "", "a finite number"},
+        Refused{"<drake:rotor_inertia value='-1e-4'/>", rotor, "-1e-4", "not negative"},
+        Refused{kRotor + "<drake:gear_ratio value='0'/>", "drake:gear_ratio", "0", "not 0"},
+        Refused{kRotor + "<mechanicalReduction>1:100</mechanicalReduction>", "mechanicalReduction", "1:100",
+                "a finite number"}}) {
+    const std::string text = transmission("elbow", actuator(in_actuator));
+    EXPECT_THAT([&text] { read(text); },
+                refused_at({.file = "arm.urdf", .key = "elbow/" + element, .value = value, .limit = limit}));
+  }
 }
 
 class ArmWithTransmissions : public test::UrdfFiles {};

@@ -8,6 +8,7 @@
 
 #include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_reader.hpp"
+#include "tests/core/support/source_dir.hpp"
 
 namespace armtune::internal::test {
 namespace {
@@ -58,7 +59,7 @@ RobotModel ur10() {
   UrdfOptions options;
   options.tip_link = "tool0";
   options.p_tip_T = Vec3(0.0, 0.0, 0.14);
-  RobotModel model = read_urdf(ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf", options);
+  RobotModel model = read_urdf(test::source_dir() + "/sim/robots/ur10.urdf", options);
   model.chain.rotor_inertia.setConstant(0.1);
   validate(model);
   return model;

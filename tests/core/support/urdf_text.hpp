@@ -13,10 +13,11 @@
 #include "armtune/error.hpp"
 #include "core/robot/urdf_reader.hpp"
 #include "tests/core/support/refused_at.hpp"
+#include "tests/core/support/source_dir.hpp"
 
 namespace armtune::internal::test {
 
-inline const std::string kUr10 = ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf";
+inline const std::string kUr10 = test::source_dir() + "/sim/robots/ur10.urdf";
 
 inline const std::string kInertial =
     "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
@@ -54,20 +55,18 @@ class UrdfFiles : public testing::Test {
   RobotModel read(const std::string& text, const UrdfOptions& options = {}) const {
     return read_urdf(write(text), options);
   }
-  /// The message with which the text is refused; it names the file and is one line.
-  std::string refusal(const std::string& text, const UrdfOptions& options = {}) const {
-    return refusal_of_file(write(text), options);
+  /// The error with which the text is refused. Its file is the one written, and its message is one line.
+  InputError error_of(const std::string& text, const UrdfOptions& options = {}) const {
+    return error_of_file(write(text), options);
   }
-  std::string refusal_of_file(const std::string& path, const UrdfOptions& options = {}) const {
-    try {
-      read_urdf(path, options);
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(path));
-      EXPECT_EQ(error.place().file, path) << error.what();
-      expect_place(error);
-      return error.what();
-    }
-    return "nothing was refused";
+  InputError error_of_file(const std::string& path, const UrdfOptions& options = {}) const {
+    const InputError found = input_error([&] { return read_urdf(path, options); });
+    EXPECT_EQ(found.place().file, path) << found.what();
+    return found;
+  }
+  /// The message of such an error.
+  std::string refusal(const std::string& text, const UrdfOptions& options = {}) const {
+    return error_of(text, options).what();
   }
 
   const std::string folder_ = testing::TempDir() + "armtune_urdf_" + std::to_string(getpid());

@@ -129,5 +129,28 @@ TEST(JointSpline, RefusesWhatIsNoMotion) {
   EXPECT_STREQ(refusal({1.0, 2.0, 2.5}, 3).what(), "nothing was refused");
 }
 
+// Trajectory::sample of ros2_controllers with interpolation_method none, at its comparisons of times:
+// t in [t_k, t_k+1) gives point k + 1, and from the end on it gives the last point.
+TEST(JointSpline, WithoutInterpolationTheNextPointIsTheState) {
+  const std::vector<double> time = {2.0, 2.5, 4.0};
+  std::vector<MotionPoint<JointVector>> points;
+  for (int k = 0; k < 3; ++k)
+    points.push_back({JointVector::Constant(2, k), JointVector::Constant(2, 10.0 + k), JointVector::Ones(2)});
+  const JointSpline motion(time, points, PointsGive::kVelocities, BetweenPoints::kNextPoint);
+  const auto point_at = [&motion](double t) {
+    const MotionPoint<JointVector> point = motion.at(t);
+    EXPECT_EQ(point.velocity[1], 10.0 + point.position[0]) << "all of one point, at " << t;
+    EXPECT_TRUE(point.acceleration.isZero(0.0)) << "not given";
+    return point.position[0];
+  };
+  EXPECT_EQ(point_at(1.9), 0.0) << "the motion has not begun";
+  EXPECT_EQ(point_at(2.0), 1.0);
+  EXPECT_EQ(point_at(2.4999), 1.0);
+  EXPECT_EQ(point_at(2.5), 2.0);
+  EXPECT_EQ(point_at(3.9), 2.0);
+  EXPECT_EQ(point_at(4.0), 2.0);
+  EXPECT_EQ(point_at(9.0), 2.0);
+}
+
 }  // namespace joint_spline_test
 }  // namespace armtune::internal

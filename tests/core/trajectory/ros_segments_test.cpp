@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/trajectory/joint_spline.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
@@ -41,7 +42,7 @@ MotionPoint<JointVector> one_joint(std::istringstream& words) {
 }
 
 TEST(RosSegments, GoWhereTheSourceOfRosTakesThem) {
-  std::ifstream file(ARMTUNE_SOURCE_DIR "/tests/core/trajectory/data/ros_segments.txt");
+  std::ifstream file(test::source_dir() + "/tests/core/trajectory/data/ros_segments.txt");
   ASSERT_TRUE(file);
   WorstError worst("vectors", 1e-12);
   Vector vector;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "sim/cell/clearance_model.hpp"
@@ -10,6 +11,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/sim/cell/rods.hpp"
+#include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
 namespace arm_solids_test {
@@ -46,6 +48,42 @@ TEST(ArmSolids, EveryLinkCountsWithItsOwnShapes) {
   std::erase_if(arm.shapes, [](const Shape& shape) { return shape.body == -1 || shape.body == 3; });
   EXPECT_THAT(arm_solids(arm).unknown, testing::Contains(arm.base_link));
   EXPECT_THAT(arm_solids(arm).unknown, testing::Contains(arm.joints[3].link));
+}
+
+/// A cube of edge 2 about the origin as OBJ, with squares as faces.
+constexpr const char* kCube =
+    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+TEST(ArmSolids, AMeshCountsAsItsHullAndColladaIsNamedWithWhatToDo) {
+  const test::TemporaryFolder folder;
+  folder.write("cube.obj", kCube);
+  folder.write("cube.dae", "<COLLADA/>");
+  RobotModel arm = test::with_rods(test::ur10());
+  arm.source = folder / "arm.urdf";
+  Shape mesh = arm.shapes.back();
+  mesh.kind = ShapeKind::kMesh;
+  mesh.size = {0.04, 0.05, 0.025};  // half the edges of the box that it replaces
+  mesh.file = "cube.obj";
+  const Shape replaced = arm.shapes.back();
+  arm.shapes.back() = mesh;
+  mesh.file = "cube.dae";
+  arm.shapes.push_back(mesh);
+  const ArmSolids all = arm_solids(arm);
+  EXPECT_THAT(all.unread, ElementsAre(testing::AllOf(testing::StartsWith("cube.dae: COLLADA"),
+                                                     testing::HasSubstr("STL or OBJ"))));
+  EXPECT_THAT(all.meshes, ElementsAre(testing::EndsWith("cube.obj")));
+  const auto hull = std::find_if(all.solids.begin(), all.solids.end(), [](const ArmSolid& solid) {
+    return solid.placed.solid.kind == SolidKind::kHull;
+  });
+  ASSERT_NE(hull, all.solids.end());
+  std::mt19937 generator(77);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < 100; ++k) {
+    const Vec3 d = Vec3(normal(generator), normal(generator), normal(generator)).normalized();
+    EXPECT_NEAR(support(hull->placed.solid, d), support(box(replaced.size), d), 1e-8)
+        << "the file's coordinates are single precision";
+  }
 }
 
 TEST(ArmSolids, ALinkWithACollisionShapeWithoutSizeIsUnknown) {

@@ -38,6 +38,31 @@ TEST(ClearanceModel, NoDistanceChangesByMoreThanItsLeversAllow) {
   EXPECT_GT(moved, 1000) << "or the levers say nothing";
 }
 
+// Joints that go back and forth between two times, as fast as they may.
+TEST(ClearanceModel, BetweenTwoTimesNoDistanceIsSmallerByMoreThanTheUnseenPart) {
+  std::mt19937 generator(12);
+  constexpr double kPeriod = 0.02;
+  double largest = 0.0;
+  for (const auto& arm : test::shaped_arms()) {
+    const ClearanceModel model(arm, test::busy_cell());
+    const double unseen = model.most_unseen(kPeriod);
+    EXPECT_NEAR(model.most_unseen(0.5 * kPeriod), 0.5 * unseen, 1e-12);
+    for (int sample = 0; sample < 100; ++sample) {
+      const JointVector begin = 0.9 * test::random_configuration(generator, *arm);
+      const JointVector way =
+          test::random_vector(generator, arm->n(), 1.0).cwiseSign().cwiseProduct(arm->velocity_limits());
+      const JointVector turn = begin + 0.5 * kPeriod * way;
+      for (const ContactPair& pair : model.pairs()) {
+        const double fall =
+            test::distance_at(model, pair, begin, 0.0) - test::distance_at(model, pair, turn, 0.0);
+        EXPECT_LE(fall, unseen + 1e-9) << arm->name << ", " << model.name(pair);
+        largest = std::max(largest, fall / unseen);
+      }
+    }
+  }
+  EXPECT_GT(largest, 0.1) << "or the bound says nothing";
+}
+
 /// The least of |a0 + s da - b0 - t db|^2 over s, t in [0, 1]: the quadratic program of two segments, solved
 /// by going through every set of active bounds.
 double least_between(const Vec3& a0, const Vec3& da, const Vec3& b0, const Vec3& db) {

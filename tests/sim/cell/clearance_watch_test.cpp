@@ -58,6 +58,43 @@ TEST(ClearanceWatch, FindsTheSmallestDistanceOfAllMomentsWithoutLookingAtMost) {
   RecordProperty("distances computed of all", std::to_string(100.0 * double(computed) / double(all)) + " %");
 }
 
+TEST(ClearanceWatch, ListsEveryPairThatWasTooNear) {
+  std::mt19937 generator(16);
+  std::size_t listed = 0;
+  std::size_t all = 0;
+  for (const auto& arm : test::shaped_arms()) {
+    const auto model = std::make_shared<const ClearanceModel>(arm, test::busy_cell());
+    const auto& pairs = model->pairs();
+    std::vector<double> required(pairs.size());
+    for (std::size_t k = 0; k < pairs.size(); ++k) required[k] = k % 3 == 0 ? -1.0 : 0.05 * double(k % 5);
+    const test::Swing swing(generator, *arm);
+    ClearanceWatch watch(model, required);
+    ClearanceWatch without(model);
+    std::vector<double> least(pairs.size(), std::numeric_limits<double>::infinity());
+    for (int step = 0; step < 200; ++step) {
+      const double time = 0.005 * step;
+      const JointVector q = swing.at(time);
+      watch.see(time, q);
+      without.see(time, q);
+      for (std::size_t k = 0; k < pairs.size(); ++k)
+        least[k] = std::min(least[k], test::distance_at(*model, pairs[k], q, time));
+    }
+    std::vector<std::pair<const ContactPair*, double>> expected, found;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (least[k] < required[k]) expected.emplace_back(&pairs[k], least[k]);
+    }
+    for (const LeastClearance& one : watch.too_near()) found.emplace_back(one.pair, one.distance);
+    EXPECT_EQ(found, expected) << arm->name;
+    EXPECT_TRUE(without.too_near().empty());
+    for (std::size_t kind = 0; kind < kClearances; ++kind)
+      EXPECT_EQ(watch.least()[kind].distance, without.least()[kind].distance) << "the least do not change";
+    listed += expected.size();
+    all += pairs.size();
+  }
+  EXPECT_GT(listed, 20U);
+  EXPECT_LT(listed, all);
+}
+
 /// A pin that the arm touches at one moment, and is clear of soon before and after it.
 TEST(ClearanceWatch, MissesNoContactThatLastsAMoment) {
   std::mt19937 generator(13);

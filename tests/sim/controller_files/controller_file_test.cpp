@@ -21,13 +21,15 @@
 namespace armtune::internal {
 namespace controller_file_test {
 
+using test::refused_at;
 using testing::AllOf;
 using testing::HasSubstr;
 
 const std::vector<std::string> kJoints = {"j1", "j2", "j3"};
 
-std::string refused(const std::string& text, const std::vector<std::string>& joints = kJoints) {
-  return test::refusal([&] {
+/// The error with which a text is refused.
+InputError refused(const std::string& text, const std::vector<std::string>& joints = kJoints) {
+  return test::input_error([&] {
     joint_trajectory_gains(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml", joints);
   });
 }
@@ -41,35 +43,42 @@ std::string with_j1(const std::string& gains, const std::string& commands = "eff
 
 TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
   const std::vector<std::string> j1 = {"j1"};
-  EXPECT_THAT(refused(with_j1("p: 1.0", "position"), j1),
-              AllOf(HasSubstr("f.yaml:3:"), HasSubstr("commands position"), HasSubstr("velocity commands")));
-  EXPECT_THAT(refused(with_j1("p: 1.0", "position, velocity"), j1), HasSubstr("commands position, velocity"));
+  EXPECT_THAT(
+      refused(with_j1("p: 1.0", "position"), j1),
+      refused_at(
+          {.file = "f.yaml", .line = 3, .key = "c", .value = "position", .limit = "effort or velocity"}));
+  EXPECT_THAT(refused(with_j1("p: 1.0", "position, velocity"), j1),
+              refused_at({.line = 3, .value = "position, velocity"}));
   EXPECT_THAT(
       refused("c:\n  type: position_controllers/JointTrajectoryController\n  gains: {j1: {p: 1.0}}\n", j1),
-      HasSubstr("commands position_controllers/"));
+      refused_at({.line = 2, .value = "position_controllers/JointTrajectoryController"}));
   EXPECT_THAT(
       refused("c:\n  ros__parameters:\n    open_loop_control: true\n    command_interfaces: [velocity]\n"
               "    gains: {j1: {p: 1.0}}\n",
               j1),
-      AllOf(HasSubstr("f.yaml:3:"), HasSubstr("open_loop_control")));
-  EXPECT_THAT(refused(with_j1("p: 1.0, i: 2.0"), j1), AllOf(HasSubstr("f.yaml:6:"), HasSubstr("no i_clamp")));
-  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp_max: 2.0, i_clamp_min: 0.0"), j1), HasSubstr("[0, 2]"));
+      refused_at({.line = 3, .value = "true", .limit = "false"}));
+  EXPECT_THAT(refused(with_j1("p: 1.0, i: 2.0"), j1),
+              refused_at({.line = 6, .key = "c", .limit = "i_clamp or --distro"}));
+  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp_max: 2.0, i_clamp_min: 0.0"), j1),
+              refused_at({.line = 6, .value = "[0, 2]", .limit = "i_clamp_min below 0"}));
   EXPECT_THAT(refused(with_j1("p: 1.0, u_clamp_max: -2.0"), j1),
-              HasSubstr("output of j1 is clamped to [-inf, -2]"));
+              refused_at({.line = 6, .value = "[-inf, -2]", .limit = "a range that contains 0"}));
   EXPECT_THAT(refused(with_j1("p: 1.0, antiwindup_strategy: nothing"), j1),
-              AllOf(HasSubstr("antiwindup_strategy of j1"), HasSubstr("back_calculation")));
+              refused_at({.line = 6, .value = "nothing", .limit = HasSubstr("back_calculation")}));
   EXPECT_THAT(refused(with_j1("p: \"1.0\""), j1),
-              AllOf(HasSubstr("gains/j1/p"), HasSubstr("expected a plain number")));
-  EXPECT_THAT(refused(with_j1("p: .inf"), j1), HasSubstr("gains/j1/p is .inf; expected a finite number"));
-  EXPECT_THAT(refused(with_j1("p: --1"), j1), HasSubstr("expected a plain number"));
-  EXPECT_THAT(refused(with_j1("p: 1.0")), HasSubstr("no gains for j2, j3"));
+              refused_at({.line = 6, .value = "1.0", .limit = HasSubstr("without quotes")}));
+  EXPECT_THAT(refused(with_j1("p: .inf"), j1),
+              refused_at({.line = 6, .value = ".inf", .limit = "a finite number"}));
+  EXPECT_THAT(refused(with_j1("p: --1"), j1),
+              refused_at({.line = 6, .value = "--1", .limit = HasSubstr("plain number")}));
+  EXPECT_THAT(refused(with_j1("p: 1.0")), refused_at({.line = 6, .key = "c", .limit = "j2, j3"}));
   EXPECT_THAT(refused(with_j1("p: 1.0"), {"j_1"}),
-              AllOf(HasSubstr("no joint 'j1'"), HasSubstr("did you mean 'j_1'")));
-  EXPECT_THAT(refused("a: 1\n"), HasSubstr("no joint trajectory controllers with gains; the file has none"));
-  EXPECT_THAT(refused("a: {b: 1}\n---\nc: 2\n"), HasSubstr("f.yaml:2: a second document"));
-  EXPECT_THAT(refused("a: {b: 1\n"), HasSubstr("not valid YAML"));
-  EXPECT_THAT(refused("a: 'b\n"), HasSubstr("never closed"));
-  EXPECT_THAT(refused("a: 1\na: 2\n"), HasSubstr("duplicate key"));
+              refused_at({.line = 6, .value = "j1", .limit = "one of: j_1"}));
+  EXPECT_THAT(refused("a: 1\n"), refused_at({.file = "f.yaml", .line = 0}));
+  for (const char* text : {"a: {b: 1}\n---\nc: 2\n", "a: 1\na: 2\n"})
+    EXPECT_THAT(refused(text), refused_at({.file = "f.yaml", .line = 2})) << text;
+  for (const char* text : {"a: 'b\n", "a: {b: 1\n"})
+    EXPECT_THAT(refused(text), refused_at({.file = "f.yaml", .line = testing::Gt(0)})) << text;
 }
 
 TEST(ControllerFile, OnlyTextsWithAKeyOfThatNameAreTakenForSome) {
@@ -97,14 +106,20 @@ TEST(ControllerFile, IsReadAsRosReadsIt) {
   EXPECT_EQ(own(read(ros1("p: 1.0, ff_velocity_scale: 2.0")), "jtc_ff_velocity_scale")[0], 3.0);
   EXPECT_EQ(own(read(with_j1("p: 1.0, ff_velocity_scale: 2.0")), "jtc_ff_velocity_scale")[0], 2.0);
   EXPECT_EQ(own(read(ros1("p: 1.0, i_clamp: -4.0")), "jtc_i_clamp")[0], 4.0) << "ROS 1 takes its size";
-  EXPECT_THAT(refused(ros1("p: 1.0, antiwindup: yes"), j1), HasSubstr("expected true or false"));
-  EXPECT_THAT(refused(ros1("p: 3e2"), j1), HasSubstr("point before an exponent"));
-  EXPECT_THAT(refused(ros1("p: 010"), j1), HasSubstr("leading zeros"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp: -4.0"), j1), HasSubstr("must contain 0"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, error_deadband: -0.1"), j1), HasSubstr("error_deadband of j1"));
-  EXPECT_THAT(refused(with_j1("p: 1.0, angle_wraparound: true"), j1), HasSubstr("angle_wraparound of j1"));
+  EXPECT_THAT(refused(ros1("p: 1.0, antiwindup: yes"), j1),
+              refused_at({.line = 4, .value = "yes", .limit = "true or false"}));
+  EXPECT_THAT(refused(ros1("p: 3e2"), j1),
+              refused_at({.line = 4, .value = "3e2", .limit = HasSubstr("point before an exponent")}));
+  EXPECT_THAT(refused(ros1("p: 010"), j1),
+              refused_at({.line = 4, .value = "010", .limit = HasSubstr("leading zeros")}));
+  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp: -4.0"), j1),
+              refused_at({.line = 6, .value = "[4, -4]", .limit = "a range that contains 0"}));
+  EXPECT_THAT(refused(with_j1("p: 1.0, error_deadband: -0.1"), j1),
+              refused_at({.line = 6, .value = "-0.1", .limit = "0 or more"}));
+  EXPECT_THAT(refused(with_j1("p: 1.0, angle_wraparound: true"), j1),
+              refused_at({.line = 6, .value = "true", .limit = "false"}));
   EXPECT_THAT(refused("c:\n  ros__parameters:\n    joints: [j1]\n    gains: {j1: {p: 2.0}}\n", j1),
-              HasSubstr("command_interfaces is missing"));
+              refused_at({.line = 3, .limit = "[effort] or [velocity]"}));
 }
 
 TEST(ControllerFile, LimitsOfTheOutputAndStrategiesOfAntiWindupAreRead) {
@@ -180,9 +195,9 @@ TEST(ControllerFile, IsReadByTheRulesOfItsDistribution) {
 TEST(ControllerFile, AMissingClampIsWhatTheDistributionMakesOfIt) {
   const std::string text = with_j1("p: 1.0, i: 2.0");
   EXPECT_EQ(own(under(text, RosDistro::kJazzy), "jtc_i_clamp")[0], 1e6);
-  EXPECT_THAT(test::refusal([&] { under(text, RosDistro::kHumble); }),
-              AllOf(HasSubstr("f.yaml:6:"), HasSubstr("no i_clamp"), HasSubstr("ROS 2 Humble")));
-  EXPECT_THAT(refused(text, {"j1"}), HasSubstr("--distro jazzy"));
+  EXPECT_THAT([&] { under(text, RosDistro::kHumble); },
+              refused_at({.file = "f.yaml", .line = 6, .limit = "i_clamp"}));
+  EXPECT_THAT(refused(text, {"j1"}), refused_at({.line = 6, .limit = "i_clamp or --distro"}));
 }
 
 TEST(ControllerFile, ADistributionOfTheOtherRosIsRefused) {
@@ -223,20 +238,29 @@ TEST(ControllerFile, JointsMayHaveAPrefixOfTheLaunchFile) {
     own(gains, "jtc_p")[1] = 60.0;
     EXPECT_THAT(with_gains(text, found, "f.yaml", gains, {"j1", "j2"}),
                 HasSubstr("{p: 60.0, i: 0.0, d: 1.0}"));
-    EXPECT_THAT(refused(text, {"j1"}), HasSubstr("the arm has no joint 'j2'"));
+    EXPECT_THAT(refused(text, {"j1"}), refused_at({.value = "j2", .limit = "one of: j1"}));
   }
   EXPECT_THAT(
       refused("c:\n  gains:\n    $(arg left)j1: {p: 1.0}\n    $(arg right)j1: {p: 2.0}\n  joints: [j1]\n",
               {"j1"}),
-      AllOf(HasSubstr("f.yaml:4"), HasSubstr("second entry for j1")));
+      refused_at({.file = "f.yaml", .line = 4, .value = "$(arg right)j1"}));
 }
 
-TEST(ControllerFile, PointsThatAreNotInterpolatedAreRefused) {
-  for (const std::string commands : {"effort", "velocity"})
-    EXPECT_THAT(refused(with_j1("p: 1.0", commands) + "    interpolation_method: none\n", {"j1"}),
-                HasSubstr("interpolation_method 'none'"));
-  EXPECT_EQ(refused(with_j1("p: 1.0") + "    interpolation_method: splines\n", {"j1"}),
-            "nothing was refused");
+TEST(ControllerFile, JumpsFromPointToPointWhereItsMethodOfInterpolationIsNone) {
+  const auto jumps = [](const std::string& text) {
+    const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
+    joint_trajectory_gains(controller, "f.yaml", {"j1"});
+    return jumps_between_points(controller);
+  };
+  for (const std::string commands : {"effort", "velocity"}) {
+    EXPECT_TRUE(jumps(with_j1("p: 1.0", commands) + "    interpolation_method: none\n"));
+    EXPECT_FALSE(jumps(with_j1("p: 1.0", commands) + "    interpolation_method: splines\n"));
+    EXPECT_FALSE(jumps(with_j1("p: 1.0", commands)));
+  }
+  EXPECT_FALSE(
+      jumps("c:\n  type: effort_controllers/JointTrajectoryController\n  interpolation_method: none\n"
+            "  gains: {j1: {p: 1.0}}\n"))
+      << "ROS 1 has no such parameter";
 }
 
 TEST(ControllerFile, WithVelocityCommandsIsAKindOfItsOwn) {
@@ -307,11 +331,13 @@ TEST(ControllerFile, OneOfSeveralIsAskedForByName) {
       with_j1("p: 1.0") +
       "d:\n  ros__parameters:\n    joints: [j1]\n    command_interfaces: [effort]\n    gains: {j1: {p: 2.0}}\n";
   const auto all = ros_controllers(two, "f.yaml");
-  EXPECT_THAT(test::refusal([&] { chosen_controller(all, "f.yaml"); }),
-              AllOf(HasSubstr("2 joint trajectory controllers"), HasSubstr("c, d; name one of them")));
+  EXPECT_THAT([&] { chosen_controller(all, "f.yaml"); },
+              refused_at({.file = "f.yaml", .value = "2", .limit = "one of: c, d"}));
+
   EXPECT_EQ(own(joint_trajectory_gains(chosen_controller(all, "f.yaml", "d"), "f.yaml", {"j1"}), "jtc_p")[0],
             2.0);
-  EXPECT_THAT(test::refusal([&] { chosen_controller(all, "f.yaml", "e"); }), HasSubstr("no controller 'e'"));
+  EXPECT_THAT([&] { chosen_controller(all, "f.yaml", "e"); },
+              refused_at({.value = "e", .limit = "one of: c, d"}));
 }
 
 TEST(ControllerFile, NumbersThatAnAnchorSharesCanOnlyChangeTogether) {
@@ -326,7 +352,8 @@ TEST(ControllerFile, NumbersThatAnAnchorSharesCanOnlyChangeTogether) {
               HasSubstr("&all {p: 7.0, d: 2.0}, j2: *all"));
   own(gains, "jtc_p")[1] = 8.0;
   EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
-              AllOf(HasSubstr("f.yaml:4: c: p of j1 and p of j2 share a number"), HasSubstr("7.0 and 8.0")));
+              AllOf(HasSubstr("f.yaml:4: c: p of j1 and p of j2 share one number"),
+                    HasSubstr("a number for each of them")));
   own(gains, "jtc_p")[1] = 7.0;
   own(gains, "jtc_i")[0] = 1.0;
   EXPECT_THAT(

@@ -20,7 +20,9 @@
 namespace armtune::internal {
 namespace gain_map_test {
 
+using test::refused_at;
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 
 const std::vector<std::string> kJoints = {"j1", "j2", "j3"};
@@ -62,9 +64,10 @@ class Files {
   test::TemporaryFolder folder_;
 };
 
-std::string refused(const std::string& from, const std::string& to) {
+/// The error with which a changed map is refused.
+InputError refused(const std::string& from, const std::string& to) {
   const Files files(from, to);
-  return test::refusal([&] { load_gains(files.path, kJoints); });
+  return test::input_error([&] { load_gains(files.path, kJoints); });
 }
 
 TEST(GainMap, BindsNumbersOfAnyFileToGains) {
@@ -99,33 +102,110 @@ TEST(GainMap, ChangesTheNumbersAloneAndReadsThemBack) {
 
 TEST(GainMap, SaysWhatIsWrongWithAMap) {
   EXPECT_THAT(refused("controller: joint_impedance\n", "controller: adaptive\n"),
-              AllOf(HasSubstr("'adaptive'"), HasSubstr("position_streaming")));
-  EXPECT_THAT(refused("file: own.yaml", "file: other.yaml"), HasSubstr("other.yaml"));
+              refused_at({.file = EndsWith("map.yaml"), .line = 1, .key = "controller"}));
+  EXPECT_THAT(refused("file: own.yaml", "file: other.yaml"), refused_at({.file = EndsWith("other.yaml")}));
   EXPECT_THAT(refused("/stiffness: j", "/stifness: j"),
-              AllOf(HasSubstr("map.yaml"), HasSubstr("nothing at '/**/ros__parameters/stifness'")));
-  EXPECT_THAT(refused(": joint_impedance_k", ": joint_impedance_kk"),
-              AllOf(HasSubstr("no such gain"), HasSubstr("joint_impedance_k")));
-  EXPECT_THAT(refused(": joint_impedance_k", ": task_space_gains_p"), HasSubstr("no such gain"));
-  EXPECT_THAT(refused("joint_impedance_d/j1", "joint_impedance_d/j4"), HasSubstr("no 'j4'"));
-  EXPECT_THAT(refused("joint_impedance_d/j1", "joint_impedance_d/j2"),
-              HasSubstr("joint_impedance_d of j2 twice"));
+              refused_at({.file = EndsWith("map.yaml"), .value = "/**/ros__parameters/stifness"}));
+  for (const char* gain : {"joint_impedance_kk", "task_space_gains_p"})
+    EXPECT_THAT(
+        refused(": joint_impedance_k", std::string(": ") + gain),
+        refused_at({.file = EndsWith("map.yaml"), .value = gain, .limit = HasSubstr("joint_impedance_k")}));
+  EXPECT_THAT(refused("joint_impedance_d/j1", "joint_impedance_d/j4"),
+              refused_at({.file = EndsWith("map.yaml"),
+                          .key = "joint_impedance_d/j4",
+                          .value = "j4",
+                          .limit = "one of: j1, j2, j3"}));
+  EXPECT_THAT(
+      refused("joint_impedance_d/j1", "joint_impedance_d/j2"),
+      refused_at({.file = EndsWith("own.yaml"), .line = 7, .value = "/**/ros__parameters/joints/1/kd"}));
   EXPECT_THAT(refused("joint_impedance_d/j1", "joint_impedance_d"),
-              AllOf(HasSubstr("has 1 number,"), HasSubstr("joint_impedance_d/JOINT")));
-  EXPECT_THAT(refused("joints/0/kd", "joints/00/kd"), HasSubstr("nothing at"));
-  EXPECT_THAT(refused("joints/0/kd", "joints/0/kd/"), HasSubstr("nothing at"));
+              refused_at({.file = EndsWith("own.yaml"), .line = 6, .value = "1", .limit = "3"}));
+  EXPECT_THAT(refused("joints/0/kd", "joints/00/kd"),
+              refused_at({.value = "/**/ros__parameters/joints/00/kd"}));
+  EXPECT_THAT(refused("joints/0/kd", "joints/0/kd/"),
+              refused_at({.value = "/**/ros__parameters/joints/0/kd/"}));
   // A gain that is tuned needs a value for every joint, and only one.
   EXPECT_THAT(refused("  /**/ros__parameters/joints/1/kd: joint_impedance_d/j2\n", ""),
-              AllOf(HasSubstr("joint_impedance_d of j2"), HasSubstr("joint_impedance_d: VALUE")));
+              refused_at({.key = "joint_impedance_d", .limit = "joint_impedance_d of j2"}));
   EXPECT_THAT(refused("joint_impedance_torque_rate: 1000", "joint_impedance_k: 7"),
-              AllOf(HasSubstr("joint_impedance_k"), HasSubstr("remove one")));
-  EXPECT_THAT(refused("file: own.yaml", "file: ''"), HasSubstr("empty"));
-  EXPECT_THAT(refused("joints/0/kd", "joints/0/name"), HasSubstr("j1"));
+              refused_at({.file = EndsWith("map.yaml"), .key = "joint_impedance_k"}));
+  EXPECT_THAT(refused("file: own.yaml", "file: ''"), refused_at({.line = 2, .key = "file"}));
+  EXPECT_THAT(refused("joints/0/kd", "joints/0/name"),
+              refused_at({.file = EndsWith("own.yaml"), .line = 6, .value = "j1"}));
   EXPECT_THAT(refused("joint_impedance_torque_rate: 1000", "joint_impedance_torque_rates: 1000"),
-              HasSubstr("joint_impedance_torque_rate"));
+              refused_at({.file = EndsWith("map.yaml"), .line = testing::Gt(0)}));
   EXPECT_THAT(refused("joint_impedance_torque_rate: 1000", "joint_impedance_k: [1, 2]"),
-              HasSubstr("2 numbers"));
+              refused_at({.key = "joint_impedance_k", .value = "2", .limit = "1 or 3"}));
   const Files files;
   EXPECT_THAT(test::refusal([&] { load_gains(files.path, kJoints, "", "node"); }), HasSubstr("'node'"));
+}
+
+// As in the parameter file of the Cartesian-Impedance-Controller package for ROS 2.
+constexpr const char* kCartesianFile = R"(cartesian_impedance_controller:
+  ros__parameters:
+    stiffness:
+      translation: {x: 200.0, y: 300.0, z: 400.0}
+      rotation: {x: 20.0, y: 30.0, z: 40.0}
+      nullspace_stiffness: 10.0
+    damping:
+      ratios: [1.0, 0.9, 0.8, 0.7, 0.6, 0.5]
+)";
+
+std::string cartesian_map(const std::string& damping = "damping/ratios: cartesian_impedance_damping_ratio") {
+  std::string map = "controller: cartesian_impedance\nfile: own.yaml\nrate: 500\nmap:\n";
+  const std::string node = "  cartesian_impedance_controller/ros__parameters/";
+  for (const std::string axis : {"x", "y", "z"}) {
+    map += node + "stiffness/translation/" + axis + ": cartesian_impedance_k/" + axis + "\n";
+    map += node + "stiffness/rotation/" + axis + ": {gain: cartesian_impedance_k/r" + axis + ", factor: 2}\n";
+  }
+  return map + node + "stiffness/nullspace_stiffness: cartesian_impedance_nullspace_k\n" + node + damping +
+         "\n";
+}
+
+// The rotational stiffness of armtune's law acts with half of its value on small errors.
+TEST(GainMap, BindsAxesOfTheTaskWithFactors) {
+  const test::TemporaryFolder folder;
+  folder.write("own.yaml", kCartesianFile);
+  const std::string map = folder.write("map.yaml", cartesian_map());
+  const ParameterFile file = read_parameter_file(map).value();
+  EXPECT_EQ(file.controller.rate, 500.0);
+  Gains gains = load_gains(map, kJoints);
+  EXPECT_EQ(gains.controller, "cartesian_impedance");
+  EXPECT_EQ(own(gains, "cartesian_impedance_k"),
+            (JointVector(6) << 200.0, 300.0, 400.0, 40.0, 60.0, 80.0).finished());
+  EXPECT_EQ(own(gains, "cartesian_impedance_damping_ratio")[5], 0.5);
+  EXPECT_EQ(own(gains, "cartesian_impedance_nullspace_k")[0], 10.0);
+  EXPECT_EQ(own(gains, "cartesian_impedance_filter")[0], 0.0) << "the controller's default";
+
+  own(gains, "cartesian_impedance_k")[3] = 50.0;
+  const std::string changed = with_gains(file.text, file.controller, file.path, gains, kJoints);
+  EXPECT_THAT(changed, HasSubstr("rotation: {x: 25.0, y: 30.0, z: 40.0}"));
+  EXPECT_EQ(test::without_numbers(changed), test::without_numbers(kCartesianFile));
+  EXPECT_THAT(
+      [&] {
+        folder.write("wrong.yaml", cartesian_map("damping/ratios: {gain: cartesian_impedance_damping_ratio, "
+                                                 "factor: 0}"));
+        read_parameter_file(folder / "wrong.yaml");
+      },
+      test::refused_at({.file = HasSubstr("wrong.yaml"), .key = HasSubstr("factor")}));
+}
+
+// Division and multiplication by a factor round the last digit, which is no loss.
+TEST(GainMap, AFactorThatIsNoPowerOfTwoReadsBack) {
+  const test::TemporaryFolder folder;
+  folder.write("own.yaml", kCartesianFile);
+  const std::string map = folder.write(
+      "map.yaml",
+      cartesian_map("damping/ratios: {gain: cartesian_impedance_damping_ratio, factor: 0.7071067811865476}"));
+  const ParameterFile file = read_parameter_file(map).value();
+  Gains gains = load_gains(map, kJoints);
+  JointVector& ratio = own(gains, "cartesian_impedance_damping_ratio");
+  for (int k = 1; k <= 50; ++k) {
+    ratio = JointVector::Constant(6, 0.1 + 0.017 * k);
+    const std::string changed = with_gains(file.text, file.controller, file.path, gains, kJoints);
+    const Gains back = controller_gains(with_text(file.controller, changed, file.path), file.path, kJoints);
+    EXPECT_LE((own(back, "cartesian_impedance_damping_ratio") - ratio).cwiseAbs().maxCoeff(), 1e-15);
+  }
 }
 
 // A file of armtune's own may have other keys of these names.

@@ -20,7 +20,7 @@
 namespace armtune::internal {
 namespace joint_impedance_file_test {
 
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
 
 const std::vector<std::string> kJoints = {"j1", "j2", "j3"};
@@ -33,8 +33,9 @@ Gains read(const std::string& text) {
   return controller_gains(only(text), "f.yaml", kJoints);
 }
 
-std::string refused(const std::string& text) {
-  return test::refusal([&] { read(text); });
+/// The error with which a text is refused.
+InputError refused(const std::string& text) {
+  return test::input_error([&] { read(text); });
 }
 
 /// As in franka_ros.
@@ -78,22 +79,24 @@ TEST(JointImpedanceFile, EachTypeIsReadWithWhatItsControllerDoes) {
 
 TEST(JointImpedanceFile, WhatIsNotKnownIsRefusedAtItsLine) {
   EXPECT_THAT(refused(ros1("", "OwnController")),
-              AllOf(HasSubstr("f.yaml:2:"), HasSubstr("franka_example_controllers/OwnController does"),
-                    HasSubstr("JointImpedanceWithIKExampleController")));
+              refused_at({.file = "f.yaml",
+                          .line = 2,
+                          .value = "franka_example_controllers/OwnController",
+                          .limit = HasSubstr("JointImpedanceWithIKExampleController")}));
   EXPECT_THAT(refused("c:\n  k_gains: [1.0, 1.0, 1.0]\n  d_gains: [1.0, 1.0, 1.0]\n"),
-              HasSubstr("does not give the type"));
+              refused_at({.line = 2, .value = ""}));
   EXPECT_THAT(
       refused("c:\n  type: x/JointImpedanceExampleController\n  k_gains: [1.0, 1.0]\n  d_gains: [1.0, "
               "1.0, 1.0]\n"),
-      AllOf(HasSubstr("f.yaml:3:"), HasSubstr("k_gains has 2 numbers, but the arm has 3 joints")));
+      refused_at({.line = 3, .value = "2", .limit = "3"}));
   EXPECT_THAT(
       refused("c:\n  type: x/JointImpedanceExampleController\n  k_gains: [1.0, a, 1.0]\n  d_gains: [1.0, "
               "1.0, 1.0]\n"),
-      HasSubstr("k_gains[1] is 'a'"));
+      refused_at({.line = 3, .value = "a", .limit = HasSubstr("plain number")}));
   EXPECT_THAT(
       refused("c:\n  type: x/JointImpedanceExampleController\n  joint_names: [j2, j1, j3]\n  k_gains: "
               "[1.0, 1.0, 1.0]\n  d_gains: [1.0, 1.0, 1.0]\n"),
-      AllOf(HasSubstr("f.yaml:3:"), HasSubstr("j2, j1, j3, but the arm's joints are j1, j2, j3")));
+      refused_at({.line = 3, .value = "j2, j1, j3", .limit = "j1, j2, j3"}));
 }
 
 TEST(JointImpedanceFile, OnlyNumbersOfGainsChangeAndTheFileReadsBack) {

@@ -1,80 +1,22 @@
 #include "sim/lanes/rollout_lanes.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 #include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/robot/link_radius.hpp"
 #include "sim/scenario/perturbation.hpp"
-#include "tests/sim/support/rollouts.hpp"
+#include "tests/sim/support/lanes.hpp"
 
 namespace armtune::internal {
 namespace rollout_lanes_test {
 
+using test::alone;
 using test::bits;
+using test::expect_the_same;
+using test::job_of;
 using test::quick_gains;
 using test::scenario_of;
-
-std::vector<Processor> processors() {
-  std::vector<Processor> all;
-  for (const Processor p : {Processor::kAny, Processor::kAvx2, Processor::kAvx512}) {
-    if (runs_here(p)) all.push_back(p);
-  }
-  return all;
-}
-
-LaneJob job_of(const Scenario& scenario, const Gains& gains) {
-  return {std::make_shared<const PreparedScenario>(scenario), gains};
-}
-
-RolloutResult alone(const LaneJob& job, Stepper stepper = Stepper::kMidpoint) {
-  return Rollout(job.scenario, stepper, Engine::kNative).run(job.gains, {}, job.limits);
-}
-
-/// All jobs through `lanes` lanes, refilled as they become free.
-std::vector<RolloutResult> side_by_side(const std::vector<LaneJob>& jobs, int lanes, Processor processor,
-                                        Stepper stepper) {
-  std::vector<RolloutResult> results(jobs.size());
-  std::size_t obstacles = 0;
-  for (const LaneJob& job : jobs) obstacles = std::max(obstacles, job.scenario->scenario.obstacles.size());
-  RolloutLanes block(
-      lane_kind(jobs[0].scenario->scenario, stepper, obstacles, lane_law(jobs[0].gains).value()), lanes,
-      processor);
-  std::vector<std::size_t> in_lane(static_cast<std::size_t>(block.lanes()));
-  std::size_t next = 0;
-  const auto fill = [&] {
-    for (int lane = block.free_lane(); lane >= 0 && next < jobs.size(); lane = block.free_lane()) {
-      in_lane[static_cast<std::size_t>(lane)] = next;
-      block.start(lane, jobs[next++]);
-    }
-  };
-  for (fill(); block.busy() > 0; fill()) {
-    block.step([&](int lane, RolloutResult&& result) {
-      results[in_lane[static_cast<std::size_t>(lane)]] = std::move(result);
-    });
-  }
-  return results;
-}
-
-void expect_the_same(const std::vector<LaneJob>& jobs, Stepper stepper = Stepper::kMidpoint) {
-  std::vector<RolloutResult> expected;
-  for (const LaneJob& job : jobs) expected.push_back(alone(job, stepper));
-  for (const Processor processor : processors()) {
-    for (const int lanes : {1, 3, 8}) {
-      const std::vector<RolloutResult> found = side_by_side(jobs, lanes, processor, stepper);
-      for (std::size_t i = 0; i < jobs.size(); ++i) {
-        const std::string what = fmt::format("{}, {} lanes, {}", i, lanes, name(processor));
-        EXPECT_EQ(bits(found[i].metrics), bits(expected[i].metrics)) << what;
-        EXPECT_EQ(found[i].status, expected[i].status) << what;
-        EXPECT_EQ(found[i].reason, expected[i].reason) << what;
-        EXPECT_EQ(found[i].end_time, expected[i].end_time) << what;
-      }
-    }
-  }
-}
 
 /// Every gain a bit larger in each candidate.
 std::vector<LaneJob> candidates(const Scenario& scenario, int count) {
@@ -210,48 +152,6 @@ TEST(RolloutLanes, OneThatDivergesOrEndsEarlyLeavesItsNeighboursAlone) {
   ASSERT_EQ(alone(jobs[2]).status, RolloutStatus::kHopeless);
   expect_the_same(jobs);
 }
-
-/// Every law that is written for several arms, on arms of six, seven and five joints, with gaze, obstacles
-/// and noise.
-class RolloutLanesOf : public testing::TestWithParam<const char*> {};
-
-TEST_P(RolloutLanesOf, AreTheRolloutsAlone) {
-  for (const char* name : {"moving_target", "realistic_target_switch", "obstacle_pass", "panda_moving_target",
-                           "youbot_moving_target"}) {
-    std::vector<LaneJob> jobs;
-    for (int i = 0; i < 3; ++i) {
-      Scenario scenario = scenario_of(name, 6.0 + i);
-      scenario.theta = {};
-      scenario.theta.model_scale = 1.0;  // most of these laws learn nothing
-      const std::string arm = scenario.robot->n() == 6   ? "published"
-                              : scenario.robot->n() == 7 ? "panda"
-                                                         : "youbot";
-      Gains quick = load_gains(arm, joint_names(*scenario.robot));
-      quick.joint_trajectory_duration = 2.0;
-      const JointVector goal = in_si(*scenario.robot, with_goal(quick, scenario).joint_space_goal);
-      Gains gains = convert_gains(controller_kind(GetParam()), quick, *scenario.robot, goal);
-      scale_loop_gains(gains, 1.0 - 0.1 * i);
-      jobs.push_back(job_of(scenario, gains));
-    }
-    SCOPED_TRACE(name);
-    EXPECT_NE(alone(jobs[0]).status, RolloutStatus::kDiverged) << "not only a fall";
-    expect_the_same(jobs);
-  }
-}
-
-TEST_P(RolloutLanesOf, TheGainsMatter) {
-  Scenario scenario = scenario_of("moving_target", 6.0);
-  scenario.theta.model_scale = 1.0;
-  Gains gains = convert_gains(controller_kind(GetParam()), quick_gains(scenario), *scenario.robot,
-                              scenario.start_position);
-  ASSERT_TRUE(lane_law(gains).has_value());
-  const LaneJob as_it_is = job_of(scenario, gains);
-  scale_loop_gains(gains, 0.7);
-  EXPECT_NE(bits(alone(as_it_is).metrics), bits(alone(job_of(scenario, gains)).metrics));
-}
-
-INSTANTIATE_TEST_SUITE_P(Laws, RolloutLanesOf,
-                         testing::Values("adaptive", "computed_torque", "joint_pd", "impedance"));
 
 TEST(RolloutLanes, StartOnlyWhatIsOfTheirKind) {
   const Scenario scenario = scenario_of("moving_target", 1.0);

@@ -104,7 +104,8 @@ TEST(Engine, NamesReadBack) {
   for (const Engine engine : {Engine::kSimbody, Engine::kNative}) {
     EXPECT_EQ(engine_from_name(name(engine)), engine);
   }
-  EXPECT_NE(test::refusal([] { engine_from_name("mujoco"); }).find("simbody or native"), std::string::npos);
+  EXPECT_THAT([] { engine_from_name("mujoco"); },
+              test::refused_at({.key = "engine", .value = "mujoco", .limit = "simbody or native"}));
 }
 
 }  // namespace native_plant_test

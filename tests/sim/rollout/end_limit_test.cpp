@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/planned.hpp"
 #include "tests/sim/support/rollouts.hpp"
@@ -58,8 +59,8 @@ TEST(EndLimit, AMetricThatOnlyWorsensNeverGetsBetterInALongerRollout) {
   // Accelerations are compared with limits where the robot file has them.
   folder.write(
       "arm.yaml",
-      "urdf: " ARMTUNE_SOURCE_DIR
-      "/sim/robots/ur10.urdf\ntip_link: tool0\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\nlimits: {elbow_joint: {acceleration: 5}}\n");
+      "urdf: " + test::source_dir() +
+          "/sim/robots/ur10.urdf\ntip_link: tool0\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\nlimits: {elbow_joint: {acceleration: 5}}\n");
   expect_worse_and_worse(
       load_scenario(folder.write("limited.yaml", "base: moving_target\nrobot: arm.yaml\nduration: 2\n")),
       looked_at);

@@ -245,13 +245,12 @@ TEST_F(PlannedRollout, AloneItEndsWithTheJointsHeldWhereTheyAre) {
   EXPECT_TRUE(std::isnan(of_motion[Metric::kGoalSettlingTime]));
   EXPECT_FALSE(applies(Metric::kGoalOvershoot, ends));
   // With any part of a task of its own, a scenario has to have it whole.
-  EXPECT_THAT(test::refusal([&] {
-                load_scenario(folder_.write(
-                    "half.yaml",
-                    "robot: ur10\ncontrol_period: 0.002\nplanned: plan.csv\ntargets: [{name: a, "
-                    "center: [1, 0, 0]}]\ntheta_start: {model_scale: 1}\n"));
-              }),
-              testing::HasSubstr("path"));
+  const std::string half = folder_.write(
+      "half.yaml",
+      "robot: ur10\ncontrol_period: 0.002\nplanned: plan.csv\ntargets: [{name: a, center: [1, 0, 0]}]\n"
+      "theta_start: {model_scale: 1}\n");
+  EXPECT_THAT([&] { load_scenario(half); },
+              test::refused_at({.file = half, .line = 1, .key = "", .limit = "the key 'path'"}));
 }
 
 TEST_F(PlannedRollout, TheRecordHasPlanAndErrorOfEveryJointWhileItIsFollowed) {

@@ -169,8 +169,8 @@ TEST(RolloutCsv, OfARunThatFailedEndsWithItsLastPeriod) {
 
 TEST(RolloutCsv, IsRefusedWhereItCannotBeWritten) {
   const Recorder recorder(scenario_of("moving_target"), 1);
-  EXPECT_THAT(test::refusal([&] { recorder.write_csv("/no/such/folder/rollout.csv"); }),
-              testing::HasSubstr("/no/such/folder"));
+  EXPECT_THAT([&] { recorder.write_csv("/no/such/folder/rollout.csv"); },
+              test::refused_at({.file = "/no/such/folder/rollout.csv"}));
 }
 
 }  // namespace recorder_test

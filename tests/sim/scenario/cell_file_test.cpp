@@ -14,13 +14,14 @@
 #include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
 namespace cell_file_test {
 
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
 
 Cell cell(const std::string& text) {
@@ -28,17 +29,23 @@ Cell cell(const std::string& text) {
   return read_cell(yaml::parse_text(text, "cell.yaml"), inputs);
 }
 
+/// The error in cell.yaml with which this text is refused.
+InputError error_of(const std::string& text) {
+  const InputError error = test::input_error([&text] { cell(text); });
+  EXPECT_EQ(error.place().file, "cell.yaml");
+  return error;
+}
+
 TEST(CellFile, NoPartIsCalledAsTheFloorIs) {
-  EXPECT_THAT(
-      test::refusal([] { cell("parts: [{name: the floor, sphere: {radius: 0.1}, center: [1, 0, 0]}]"); }),
-      AllOf(HasSubstr("cell.yaml:1"), HasSubstr("rename the part")));
+  EXPECT_THAT(error_of("parts: [{name: the floor, sphere: {radius: 0.1}, center: [1, 0, 0]}]"),
+              refused_at({.line = 1, .key = "parts/0/name", .value = "the floor", .limit = "another name"}));
 }
 
 TEST(CellFile, ANameThatNoTerminalCanShowIsRefused) {
   for (const char* name : {"\\e[33mpart", "a\\u2028b", "\\r"}) {
     const std::string part =
         fmt::format("parts: [{{name: \"{}\", sphere: {{radius: 0.1}}, center: [1, 0, 0]}}]", name);
-    EXPECT_THAT(test::refusal([&] { cell(part); }), AllOf(HasSubstr("cell.yaml:1"), HasSubstr("rename")));
+    EXPECT_THAT(error_of(part), refused_at({.line = 1, .key = "parts/0/name", .limit = "a printable name"}));
   }
 }
 
@@ -64,26 +71,34 @@ TEST(CellFile, HasAFloorAndPartsThatRestOrMove) {
 
 TEST(CellFile, WhatIsNoCellIsNamed) {
   const auto refused = [](const std::string& part) {
-    return test::refusal([&] { cell("parts:\n  - {name: a, " + part + "}\n"); });
+    return error_of("parts:\n  - {name: a, " + part + "}\n");
   };
-  EXPECT_THAT(refused("center: [0, 0, 0]"),
-              AllOf(HasSubstr("cell.yaml:2"),
-                    HasSubstr("'parts/0': one of these keys must be given: box, cylinder, capsule, sphere")));
-  EXPECT_THAT(refused("capsul: {radius: 1, length: 1}, center: [0, 0, 0]"),
-              HasSubstr("is 'capsul' a misspelling of 'capsule'?"));
-  EXPECT_THAT(refused("box: [1, 1, 1], sphere: {radius: 1}, center: [0, 0, 0]"), HasSubstr("second shape"));
-  EXPECT_THAT(refused("box: [1, 0, 1], center: [0, 0, 0]"), HasSubstr("an edge is 0 m"));
-  EXPECT_THAT(refused("capsule: {radius: -1, length: 1}, center: [0, 0, 0]"), HasSubstr("a radius is -1 m"));
-  EXPECT_THAT(refused("sphere: {radius: 1}"), HasSubstr("center"));
+  const std::string shapes = "one of the keys: box, cylinder, capsule, sphere";
+  EXPECT_THAT(refused("center: [0, 0, 0]"), refused_at({.line = 2, .key = "parts/0", .limit = shapes}));
+  const InputError misspelt = refused("capsul: {radius: 1, length: 1}, center: [0, 0, 0]");
+  EXPECT_THAT(misspelt, refused_at({.line = 2, .key = "parts/0", .limit = shapes}));
+  EXPECT_THAT(misspelt.what(), HasSubstr("is 'capsul' a misspelling of 'capsule'?"));
+  EXPECT_THAT(refused("box: [1, 1, 1], sphere: {radius: 1}, center: [0, 0, 0]"),
+              refused_at({.line = 2, .key = "parts/0/sphere"}));
+  const std::string length = "above 0 and at most 1000";
+  EXPECT_THAT(refused("box: [1, 0, 1], center: [0, 0, 0]"),
+              refused_at({.line = 2, .key = "parts/0/box", .value = "0", .limit = length}));
+  EXPECT_THAT(refused("capsule: {radius: -1, length: 1}, center: [0, 0, 0]"),
+              refused_at({.line = 2, .key = "parts/0/capsule/radius", .value = "-1", .limit = length}));
+  EXPECT_THAT(refused("sphere: {radius: 1}"),
+              refused_at({.line = 2, .key = "parts/0", .limit = "the key 'center'"}));
   EXPECT_THAT(
       refused(
           "sphere: {radius: 1}, center: [0, 0, 0]}\n  - {name: a, sphere: {radius: 1}, center: [0, 0, 0]"),
-      HasSubstr("two parts"));
-  EXPECT_THAT(test::refusal([] { cell("flor: 0\n"); }), HasSubstr("floor"));
-  EXPECT_THAT(test::refusal([] { cell("floor: 1e9\n"); }), HasSubstr("floor"));
+      refused_at({.line = 3, .key = "parts/1/name", .value = "a", .limit = "another name"}));
+  EXPECT_THAT(error_of("flor: 0\n"),
+              refused_at({.line = 1, .key = "flor", .value = "flor", .limit = "the keys: floor, parts"}));
+  EXPECT_THAT(error_of("floor: 1e9\n"),
+              refused_at({.line = 1, .key = "floor", .value = "1e9", .limit = "-1000 to 1000"}));
 }
 
-const std::string kRobot = "urdf: " ARMTUNE_SOURCE_DIR "/sim/robots/ur5e.urdf\nrotor_inertia: estimated\n";
+const std::string kRobot =
+    "urdf: " + test::source_dir() + "/sim/robots/ur5e.urdf\nrotor_inertia: estimated\n";
 
 TEST(RobotFile, AToolHasMassInertiaAndShapes) {
   const test::TemporaryFolder folder;
@@ -148,15 +163,14 @@ TEST(RobotFile, ShapesStandForTheCollisionGeometryOfALink) {
     EXPECT_NEAR(solid.placed.solid.size.x(), 0.39, 1e-12);
   }
   EXPECT_EQ(found, 1);
-  EXPECT_THAT(test::refusal([&] {
-                load_robot(folder.write("wrong.yaml", kRobot + "shapes: {elbow: [{sphere: {radius: 1}}]}\n"));
-              }),
-              HasSubstr("link 'elbow' is not part of this arm"));
+  const std::string wrong = folder.write("wrong.yaml", kRobot + "shapes: {elbow: [{sphere: {radius: 1}}]}\n");
+  EXPECT_THAT([&] { load_robot(wrong); },
+              refused_at({.key = "shapes/elbow", .value = "elbow", .limit = "a link of the arm"}));
+  const std::string tool =
+      folder.write("tool.yaml", kRobot + "tool: {mass: 1, moments: [1, 0, 0, 1, 0, 3]}\n");
   EXPECT_THAT(
-      test::refusal([&] {
-        load_robot(folder.write("tool.yaml", kRobot + "tool: {mass: 1, moments: [1, 0, 0, 1, 0, 3]}\n"));
-      }),
-      AllOf(HasSubstr("tool.yaml:3"), HasSubstr("no rigid body")));
+      [&] { load_robot(tool); },
+      refused_at({.file = tool, .line = 3, .key = "tool/moments", .limit = "moments of a rigid body"}));
 }
 
 TEST(ScenarioCell, TakesTheCellOfTheRobotUnlessItHasItsOwn) {
@@ -198,7 +212,7 @@ std::string tetrahedron(float edge) {
 
 TEST(ScenarioCell, MeshesThatDistancesComeFromAreInputs) {
   const test::TemporaryFolder folder;
-  std::string urdf = test::read_text(ARMTUNE_SOURCE_DIR "/sim/robots/ur5e.urdf");
+  std::string urdf = test::read_text(test::source_dir() + "/sim/robots/ur5e.urdf");
   const std::string link = "<link name=\"forearm_link\">";
   ASSERT_NE(urdf.find(link), std::string::npos);
   const std::string shape = "<geometry><mesh filename=\"link.stl\"/></geometry>";

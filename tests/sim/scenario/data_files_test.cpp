@@ -10,8 +10,7 @@
 namespace armtune::internal {
 namespace data_files_test {
 
-using test::refusal;
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
 
 TEST(DataFiles, BundledFilesAreFoundByName) {
@@ -42,11 +41,11 @@ TEST(DataFiles, OwnFilesAreFoundByPathAndBesideTheFileThatNamesThem) {
 }
 
 TEST(DataFiles, AnUnknownNameIsRefusedWithTheNearestAndTheList) {
-  EXPECT_THAT(refusal([] { find_data_file("scenarios", "moving_tagret"); }),
-              AllOf(HasSubstr("'moving_tagret'"), HasSubstr("did you mean 'moving_target'"),
-                    HasSubstr("obstacle_pass"), HasSubstr(".yaml")));
-  EXPECT_THAT(refusal([] { find_data_file("scenarios", "somewhere/none.yaml"); }),
-              AllOf(HasSubstr("somewhere/none.yaml"), HasSubstr("no such file")));
+  const InputError unknown = test::input_error([] { find_data_file("scenarios", "moving_tagret"); });
+  EXPECT_THAT(unknown, refused_at({.value = "moving_tagret", .limit = HasSubstr("obstacle_pass")}));
+  EXPECT_THAT(unknown.what(), testing::AllOf(HasSubstr("did you mean 'moving_target'"), HasSubstr(".yaml")));
+  EXPECT_THAT([] { find_data_file("scenarios", "somewhere/none.yaml"); },
+              refused_at({.file = "somewhere/none.yaml", .line = 0}));
 }
 
 TEST(DataFiles, PathsComeApart) {

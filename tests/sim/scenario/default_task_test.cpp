@@ -98,7 +98,9 @@ TEST(DefaultTask, KeepsAboveTheFloorThatIsGiven) {
   EXPECT_GE(walk_path(task.scenario, task.goal, 0.2).low.value, 0.7);
   EXPECT_GE(height_of(task.scenario.targets[0].path.center, *robot), 0.6 - 1e-3);
   options.floor = 5.0;
-  EXPECT_THAT(test::refusal([&] { default_task(robot, options); }), testing::HasSubstr("--floor"));
+  const InputError error = test::input_error([&] { default_task(robot, options); });
+  EXPECT_THAT(error, test::refused_at({.file = robot->source}));
+  EXPECT_THAT(error.what(), testing::HasSubstr("--floor"));
 }
 
 // Nothing but the place changes with the place where the arm stands.
@@ -156,6 +158,23 @@ TEST(DefaultTask, ATableInTheWayIsAvoidedOrNamed) {
   EXPECT_THAT(
       test::refusal([&] { default_task(arm, through); }),
       testing::AllOf(testing::HasSubstr("no first task was found"), testing::HasSubstr("and table touch")));
+}
+
+// The two first links are always close to the floor, and must not hide others that are.
+TEST(DefaultTask, NoLinkBeyondTheSecondComesCloserToItsSurroundingsThanFiveCentimetres) {
+  for (const char* name : {"ur5e", "ur10", "fr3"}) {
+    TaskOptions options;
+    options.cell = Cell{};
+    options.cell->floor = 0.0;
+    const DefaultTask task = default_task(load_robot(name), options);
+    const ClearanceModel& model = *task.scenario.clearance;
+    const std::vector<double> required(model.pairs().size(), 0.05);
+    const PathWalk walk = walk_path(task.scenario, task.goal, 0.2, 0.0, WalkUntil::kEnd, required);
+    for (const LeastClearance& near : walk.too_near) {
+      const bool may = near.pair->of == Clearance::kSelf || model.arm().solids[near.pair->solid].body <= 1;
+      EXPECT_TRUE(may) << name << ": " << model.name(*near.pair) << ' ' << near.distance;
+    }
+  }
 }
 
 TEST(DefaultTask, ATaskThatNoJointCanHoldIsRefusedWithWhatItNeeds) {

@@ -15,7 +15,7 @@ namespace armtune::internal {
 namespace gains_file_test {
 
 using test::kRosParameters;
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
 
 const std::vector<std::string> kJoints = {"shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint",
@@ -24,15 +24,15 @@ const std::vector<std::string> kJoints = {"shoulder_pan_joint", "shoulder_lift_j
 class GainsFile : public testing::Test {
  protected:
   Gains load(const std::string& text) const { return load_gains(folder_.write("gains.yaml", text), kJoints); }
-  /// Message with which the published parameters are refused after a replacement in their text.
-  std::string refused(const std::string& from, const std::string& to) const {
+  /// The error with which the published parameters are refused after a replacement in their text.
+  InputError refused(const std::string& from, const std::string& to) const {
     std::string text = kRosParameters;
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     text.replace(at, from.size(), to);
-    const std::string message = test::refusal([&] { load(text); });
-    EXPECT_THAT(message, testing::StartsWith(folder_ / "gains.yaml"));
-    return message;
+    const InputError error = test::input_error([&] { load(text); });
+    EXPECT_EQ(error.place().file, folder_ / "gains.yaml");
+    return error;
   }
 
   const test::TemporaryFolder folder_;
@@ -66,12 +66,11 @@ TEST_F(GainsFile, WhatRos2DumpsOfANodeLoads) {
 }
 
 TEST_F(GainsFile, ParametersOfSeveralNodesAreRefusedAsThat) {
-  EXPECT_THAT(test::refusal([&] {
-                load(
-                    "manager:\n  ros__parameters: {update_rate: 100}\nctrl:\n  ros__parameters: "
-                    "{slerpDurationErrorGain: 2}\n");
-              }),
-              HasSubstr("several nodes"));
+  const std::string nodes =
+      "manager:\n  ros__parameters: {update_rate: 100}\nctrl:\n  ros__parameters: "
+      "{slerpDurationErrorGain: 2}\n";
+  EXPECT_THAT([&] { load(nodes); },
+              refused_at({.file = folder_ / "gains.yaml", .line = 1, .key = "", .limit = "one node"}));
 }
 
 TEST_F(GainsFile, AllNumbersReadBackToTheBit) {
@@ -126,8 +125,10 @@ TEST_F(GainsFile, AnOwnGainThatTheFileLeavesOutIsWhatItsDeclarationSays) {
   std::string text = gains_yaml(load_gains("published", kJoints), {});
   text.replace(text.find("simple_effort_ctrl:\n"), 20, "simple_effort_ctrl:\n  controller: joint_pd\n");
   // What the kind does not have stands in the way, by name and line.
-  EXPECT_THAT(test::refusal([&] { load(text); }),
-              AllOf(HasSubstr("gains.yaml:"), HasSubstr("task_space_gains_d")));
+  EXPECT_THAT([&] { load(text); }, refused_at({.file = folder_ / "gains.yaml",
+                                               .line = testing::Gt(0),
+                                               .key = testing::HasSubstr("task_space_gains_d"),
+                                               .value = "task_space_gains_d"}));
   for (const char* key :
        {"task_space_gains_d", "adaptation_gain", "adapt_while_avoiding", "adaptation_leakage",
         "adaptation_inertia_leakage", "adaptation_filter", "adaptation_projection"}) {
@@ -139,9 +140,13 @@ TEST_F(GainsFile, AnOwnGainThatTheFileLeavesOutIsWhatItsDeclarationSays) {
 }
 
 TEST_F(GainsFile, AControllerThatThereIsNotIsNamedWithThoseThereAre) {
-  EXPECT_THAT(
-      refused("simple_effort_ctrl:", "simple_effort_ctrl:\n  controller: impedence"),
-      AllOf(HasSubstr(":3"), HasSubstr("'impedence'"), HasSubstr("did you mean"), HasSubstr("joint_pd")));
+  EXPECT_THAT(refused("simple_effort_ctrl:", "simple_effort_ctrl:\n  controller: impedence"),
+              refused_at({.line = 3,
+                          .key = "simple_effort_ctrl/controller",
+                          .value = "impedence",
+                          .limit = testing::StartsWith("one of: adaptive, joint_pd, ")}));
+  EXPECT_THAT(refused("simple_effort_ctrl:", "simple_effort_ctrl:\n  controller: impedence").what(),
+              HasSubstr("did you mean"));
 }
 
 TEST_F(GainsFile, JointGainsMayStandByJointName) {
@@ -154,12 +159,17 @@ TEST_F(GainsFile, JointGainsMayStandByJointName) {
 }
 
 TEST_F(GainsFile, AWrongCountOfGainsIsRefused) {
-  EXPECT_THAT(refused("[280, 200, ", "[280, "),
-              AllOf(HasSubstr("task_space_gains_d"), HasSubstr("5 entries"), HasSubstr("expected 6")));
-  EXPECT_THAT(refused("[80, 50, ", "[80, 80, 50, "),
-              AllOf(HasSubstr("task_space_gains_p"), HasSubstr("7 entries"), HasSubstr("expected 6")));
-  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: [2.5]"),
-              HasSubstr("slerpDurationErrorGain"));
+  EXPECT_THAT(
+      refused("[280, 200, ", "[280, "),
+      refused_at(
+          {.line = 11, .key = "simple_effort_ctrl/task_space_gains_d", .value = "5", .limit = "6 numbers"}));
+  EXPECT_THAT(
+      refused("[80, 50, ", "[80, 80, 50, "),
+      refused_at(
+          {.line = 9, .key = "simple_effort_ctrl/task_space_gains_p", .value = "7", .limit = "6 numbers"}));
+  EXPECT_THAT(
+      refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: [2.5]"),
+      refused_at({.line = 24, .key = "simple_effort_ctrl/slerpDurationErrorGain", .limit = "a number"}));
 }
 
 /// "[first, first + 1, ...]".
@@ -197,25 +207,40 @@ TEST_F(GainsFile, AForcePointMayHaveAGainForEveryJoint) {
               gains.force_control_gains);
   }
   EXPECT_THAT(refused(scalar, key + "[" + list_from(0) + ", 1, 1, 1, 1, 1]"),
-              AllOf(HasSubstr("force_control_gains/1"), HasSubstr("every joint")));
+              refused_at({.line = 15, .key = "simple_effort_ctrl/force_control_gains/1", .value = "1"}));
   EXPECT_THAT(refused(scalar, key + "[" + list_from(0) + ", " + list_from(0) + "]"),
-              AllOf(HasSubstr("force_control_gains"), HasSubstr("2"), HasSubstr("6")));
-  EXPECT_THAT(refused(scalar, key + "[1, 2]"), HasSubstr("2 entries"));
-  EXPECT_THAT(refused(scalar, key + named.substr(0, named.rfind(", wrist_3")) + "}"),
-              HasSubstr("wrist_3_joint"));
+              refused_at({.line = 15,
+                          .key = "simple_effort_ctrl/force_control_gains",
+                          .value = "2",
+                          .limit = "6 lists (one for each joint), or 6 numbers"}));
+  EXPECT_THAT(
+      refused(scalar, key + "[1, 2]"),
+      refused_at(
+          {.line = 15, .key = "simple_effort_ctrl/force_control_gains", .value = "2", .limit = "6 numbers"}));
+  EXPECT_THAT(
+      refused(scalar, key + named.substr(0, named.rfind(", wrist_3")) + "}"),
+      refused_at(
+          {.line = 15, .key = "simple_effort_ctrl/force_control_gains", .limit = "the key 'wrist_3_joint'"}));
 }
 
 TEST_F(GainsFile, AnUnknownKeyIsRefusedWithTheNearest) {
   EXPECT_THAT(refused("  obstacleInfluenceRadius", "  adaptation_gian: 1\n  obstacleInfluenceRadius"),
-              AllOf(HasSubstr("adaptation_gian"), HasSubstr("did you mean 'adaptation_gain'")));
+              refused_at({.line = 14,
+                          .key = "simple_effort_ctrl/adaptation_gian",
+                          .value = "adaptation_gian",
+                          .limit = testing::StartsWith(
+                              "the keys: controller, joint_space_gains_p, joint_space_gains")}));
+  EXPECT_THAT(refused("  obstacleInfluenceRadius", "  adaptation_gian: 1\n  obstacleInfluenceRadius").what(),
+              HasSubstr("did you mean 'adaptation_gain'"));
 }
 
 TEST_F(GainsFile, AMissingKeyIsRefused) {
-  EXPECT_THAT(refused("  slerpDurationErrorGain: 2.5\n", ""),
-              HasSubstr("missing key 'slerpDurationErrorGain'"));
+  EXPECT_THAT(
+      refused("  slerpDurationErrorGain: 2.5\n", ""),
+      refused_at({.line = 2, .key = "simple_effort_ctrl", .limit = "the key 'slerpDurationErrorGain'"}));
   EXPECT_THAT(
       refused("slerpDurationErrorGain", "slerpDurationErrorGian"),
-      AllOf(HasSubstr("missing key 'slerpDurationErrorGain'"), HasSubstr("'slerpDurationErrorGian'")));
+      refused_at({.line = 2, .key = "simple_effort_ctrl", .limit = "the key 'slerpDurationErrorGain'"}));
 }
 
 TEST_F(GainsFile, AFileCutOffAnywhereIsRefused) {
@@ -233,15 +258,30 @@ TEST_F(GainsFile, AFileCutOffAnywhereIsRefused) {
 }
 
 TEST_F(GainsFile, GainsThatNoControllerCanUseAreRefused) {
-  EXPECT_THAT(refused("[80, 50", "[80, -50"), AllOf(HasSubstr("task_space_gains_p/y is -50")));
-  EXPECT_THAT(refused("[280, 200", "[280, -1e-9"), HasSubstr("task_space_gains_d/shoulder_lift_joint"));
-  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: 0"), HasSubstr("above zero"));
-  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: .nan"), HasSubstr("number"));
-  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: fast"), HasSubstr("number"));
+  EXPECT_THAT(refused("[80, 50", "[80, -50"),
+              refused_at({.key = "task_space_gains_p", .value = "-50", .limit = "finite and not negative"}));
+  EXPECT_THAT(
+      refused("[280, 200", "[280, -1e-9"),
+      refused_at({.key = "task_space_gains_d", .value = "-1e-09", .limit = "finite and not negative"}));
+  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: 0"),
+              refused_at({.key = "slerpDurationErrorGain", .value = "0", .limit = "finite and above zero"}));
+  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: .nan"),
+              refused_at({.line = 24,
+                          .key = "simple_effort_ctrl/slerpDurationErrorGain",
+                          .value = ".nan",
+                          .limit = "a decimal number with '.' and no unit, such as -1.5 or 1e3"}));
+  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: fast"),
+              refused_at({.line = 24,
+                          .key = "simple_effort_ctrl/slerpDurationErrorGain",
+                          .value = "fast",
+                          .limit = "a decimal number with '.' and no unit, such as -1.5 or 1e3"}));
   EXPECT_THAT(refused("  obstacleInfluenceRadius", "  release_radius: 0.1\n  obstacleInfluenceRadius"),
-              HasSubstr("release_radius"));
+              refused_at({.key = "release_radius", .value = "0.1", .limit = "0 or at least 0.325"}));
   EXPECT_THAT(refused("  obstacleInfluenceRadius", "  slerp_reference: end\n  obstacleInfluenceRadius"),
-              HasSubstr("start, current"));
+              refused_at({.line = 14,
+                          .key = "simple_effort_ctrl/slerp_reference",
+                          .value = "end",
+                          .limit = "one of: start, current"}));
 }
 
 }  // namespace gains_file_test

@@ -11,6 +11,7 @@
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/sidecar_text.hpp"
 #include "tests/core/support/arms.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/core/support/urdf_text.hpp"
 #include "tests/sim/support/files.hpp"
 
@@ -30,9 +31,12 @@ TEST(ImpossibleInertia, AllLinksAreNamedAndTheProposalIsAccepted) {
   }
   const test::TemporaryFolder folder;
   const std::string urdf = folder.write("arm.urdf", urdf_text(arm));
-  EXPECT_THAT(test::refusal([&] { load_robot(urdf); }),
-              AllOf(HasSubstr("upper_arm_link (principal moments 0.3, 0.4, 0.73 kg"),
-                    HasSubstr("wrist_2_link (principal moments 0.3, 0.4, 0.73 kg"), HasSubstr("--sidecar")));
+  const InputError error = test::input_error([&] { load_robot(urdf); });
+  EXPECT_THAT(error, test::refused_at({.file = urdf,
+                                       .key = "upper_arm_link/inertia",
+                                       .value = "principal moments 0.3, 0.4, 0.73 kg m^2"}));
+  EXPECT_THAT(error.what(),
+              AllOf(HasSubstr("wrist_2_link (principal moments 0.3, 0.4, 0.73 kg"), HasSubstr("--sidecar")));
   const MissingData missing = missing_data(urdf);
   ASSERT_EQ(missing.impossible.size(), 2U);
   EXPECT_FALSE(missing.empty());
@@ -85,10 +89,11 @@ TEST(ImpossibleInertia, EveryKindIsNamedAtOnceWithTheNearestInertiaOrAKeyToFillI
                                         {1.0, Vec3(0.1, 0.2, 0.25)}};  // possible
   const test::TemporaryFolder folder;
   const std::string urdf = folder.write("arm.urdf", arm_of(links));
-  EXPECT_THAT(test::refusal([&] { load_robot(urdf); }),
-              AllOf(HasSubstr("l0 (mass -2 kg)"), HasSubstr("l1 (moment -1 kg m^2)"),
-                    HasSubstr("l2 (principal moments 0.1, 0.2, 0.4 kg"), HasSubstr("l3 (no inertia"),
-                    HasSubstr("l4 (no inertia"), testing::Not(HasSubstr("l5"))));
+  const InputError all = test::input_error([&] { load_robot(urdf); });
+  EXPECT_THAT(all, test::refused_at({.file = urdf, .key = "l0/inertia", .value = "mass -2 kg"}));
+  EXPECT_THAT(all.what(),
+              AllOf(HasSubstr("l1 (moment -1 kg m^2)"), HasSubstr("l2 (principal moments 0.1, 0.2, 0.4 kg"),
+                    HasSubstr("l3 (no inertia"), HasSubstr("l4 (no inertia"), testing::Not(HasSubstr("l5"))));
   const MissingData missing = missing_data(urdf);
   EXPECT_TRUE(missing.inertia.empty()) << "none is named twice";
   ASSERT_EQ(missing.impossible.size(), 5U);
@@ -108,9 +113,11 @@ TEST(ImpossibleInertia, EveryKindIsNamedAtOnceWithTheNearestInertiaOrAKeyToFillI
 
   // What has no nearest value is asked for.
   std::string text = sidecar_yaml(urdf, missing, {});
-  EXPECT_THAT(test::refusal([&] { load_robot(folder.write("arm.yaml", text)); }), HasSubstr("mass"));
+  const auto load = [&] { load_robot(folder.write("arm.yaml", text)); };
+  EXPECT_THAT(load,
+              test::refused_at({.file = folder / "arm.yaml", .key = "inertia/l0/mass", .limit = "a number"}));
   text = filled(text, "mass", "2");
-  EXPECT_THAT(test::refusal([&] { load_robot(folder.write("arm.yaml", text)); }), HasSubstr("moments"));
+  EXPECT_THAT(load, test::refused_at({.key = "inertia/l4/moments", .limit = "a list of 6 numbers"}));
   text = filled(text, "moments", "[0.1, 0, 0, 0.1, 0, 0.1]");
   const auto arm = load_robot(folder.write("arm.yaml", text));
   EXPECT_EQ(arm->chain.link[0].mass, 2.0);
@@ -120,7 +127,7 @@ TEST(ImpossibleInertia, EveryKindIsNamedAtOnceWithTheNearestInertiaOrAKeyToFillI
 
 // A tool or another fixed link gives the body the inertia that one of its links lacks.
 TEST(ImpossibleInertia, ALinkThatIsHiddenInItsBodyIsNoReasonToRefuse) {
-  EXPECT_TRUE(missing_data(ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf").impossible.empty());
+  EXPECT_TRUE(missing_data(test::source_dir() + "/sim/robots/ur10.urdf").impossible.empty());
   const test::TemporaryFolder folder;
   const std::string urdf = folder.write("arm.urdf", arm_of({{1.0, Vec3::Zero()}}));
   EXPECT_EQ(missing_data(urdf).impossible.size(), 1U);

@@ -13,9 +13,7 @@
 namespace armtune::internal {
 namespace joint_goals_test {
 
-using test::refusal;
-using testing::AllOf;
-using testing::HasSubstr;
+using test::refused_at;
 
 class JointGoalsFile : public testing::Test {
  protected:
@@ -50,36 +48,44 @@ TEST_F(JointGoalsFile, HasPositionsWithoutTimes) {
                     "- {positions: [0, 0, 2, 0, 0, 0]}\n");
   EXPECT_EQ(load_motion_or_goals({{message}}, *robot_).goals.at(1)[2], 2.0);
   // A motion needs times.
-  EXPECT_THAT(refusal([&] { load(file.table.path); }),
-              AllOf(HasSubstr("goals.csv"), HasSubstr("no column 'time'")));
-  EXPECT_THAT(refusal([&] { load(message); }), AllOf(HasSubstr("goals.yaml"), HasSubstr("time_from_start")));
+  EXPECT_THAT([&] { load(file.table.path); }, refused_at({.file = folder_ / "goals.csv", .key = "time"}));
+  EXPECT_THAT([&] { load(message); }, refused_at({.file = message, .key = "time_from_start"}));
 }
 
 TEST_F(JointGoalsFile, ThatCannotBeMeantIsRefused) {
   const auto refused = [&](const std::string& text) {
     const std::string path = write(text);
-    return refusal([&] { load_motion_or_goals({{path}}, *robot_); });
+    return test::input_error([&] { load_motion_or_goals({{path}}, *robot_); });
   };
   const std::string header = kJoints;
-  EXPECT_THAT(refused("clock," + header + "\n0,0,0,0,0,0,0\n1,1,0,0,0,0,0\n"), HasSubstr("no column 'time'"));
-  EXPECT_THAT(refused(header + "\n0,0,0,0,0,0\n"), HasSubstr("only one joint goal"));
+  EXPECT_THAT(refused("clock," + header + "\n0,0,0,0,0,0,0\n1,1,0,0,0,0,0\n"),
+              refused_at({.file = folder_ / "plan.csv", .line = 1, .key = "time"}));
+  EXPECT_THAT(refused(header + "\n0,0,0,0,0,0\n"),
+              refused_at({.file = folder_ / "plan.csv", .value = "1", .limit = "at least 2 joint goals"}));
   EXPECT_THAT(refused(header + "\n0,0,0,0,0,0\n0,0,4,0,0,0\n"),
-              AllOf(HasSubstr("plan.csv:3"), HasSubstr("-3.14159 .. 3.14159")));
+              refused_at({.file = folder_ / "plan.csv",
+                          .line = 3,
+                          .key = "joint/elbow_joint/position",
+                          .value = "4",
+                          .limit = "-3.14159 to 3.14159"}));
   std::string many = header + "\n";
   for (std::size_t k = 0; k <= kMostGoals; ++k) many += "0,0,0,0,0,0\n";
-  EXPECT_THAT(refused(many), AllOf(HasSubstr("101 joint goals"), HasSubstr("times")));
+  EXPECT_THAT(refused(many), refused_at({.value = "101", .limit = "at most 100 joint goals"}));
   // A limit of pi that was written with six digits is a little too large.
   const std::string rounded = write(header + "\n0,0,0,0,0,0\n0,0,3.141593,0,0,0\n");
   EXPECT_EQ(load_motion_or_goals({{rounded}}, *robot_).goals.at(1)[2], robot_->joints[2].limits.upper);
-  EXPECT_THAT(refused("shoulder_pan_joint\n0\n1\n"), HasSubstr("joint/shoulder_lift_joint/position"));
+  EXPECT_THAT(refused("shoulder_pan_joint\n0\n1\n"),
+              refused_at({.line = 1, .key = "joint/shoulder_lift_joint/position"}));
   const std::string message =
       folder_.write("goals.yaml",
                     "joint_names: [shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, "
                     "wrist_2_joint, wrist_3_joint]\npoints:\n"
                     "- {positions: [0, 0, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0]}\n"
                     "- {positions: [0, 0, 2, 0, 0, 0], velocities: [0, 0, 1, 0, 0, 0]}\n");
-  EXPECT_THAT(refusal([&] { load_motion_or_goals({{message}}, *robot_); }),
-              AllOf(HasSubstr("goals.yaml:4"), HasSubstr("but no times")));
+  const auto read = [&] { load_motion_or_goals({{message}}, *robot_); };
+  EXPECT_THAT(
+      read,
+      refused_at({.file = message, .line = 4, .key = "time_from_start", .limit = "a time for each point"}));
 }
 
 }  // namespace joint_goals_test

@@ -1,5 +1,6 @@
 #include "sim/scenario/perturbation.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,9 +14,6 @@
 
 namespace armtune::internal {
 namespace perturbation_test {
-
-using testing::AllOf;
-using testing::HasSubstr;
 
 /// Rounding of sums of a few dozen products.
 constexpr double kRounding = 1e-12;
@@ -262,11 +260,12 @@ TEST(Perturbed, RefusesRangesThatLeaveNoArm) {
   const Scenario scenario = load_scenario("moving_target");
   Perturbation wide;
   wide.mass = 1.0;
-  EXPECT_THAT(test::refusal([&] { perturbed(scenario, wide, 1, 0); }),
-              AllOf(HasSubstr("mass is 1"), HasSubstr("[0, 1)")));
+  EXPECT_THAT([&] { perturbed(scenario, wide, 1, 0); },
+              test::refused_at({.key = "perturbation/mass", .value = "1", .limit = "in [0, 1)"}));
   Perturbation heavy;
   heavy.payload = -1.0;
-  EXPECT_THAT(test::refusal([&] { perturbed(scenario, heavy, 1, 0); }), HasSubstr("payload is -1"));
+  EXPECT_THAT([&] { perturbed(scenario, heavy, 1, 0); },
+              test::refused_at({.key = "perturbation/payload", .value = "-1"}));
 }
 
 TEST(Perturbed, RefusesEveryWidthThatIsOutOfRangeByName) {
@@ -274,21 +273,24 @@ TEST(Perturbed, RefusesEveryWidthThatIsOutOfRangeByName) {
     for (const double wrong : {-0.1, field.most + 1.0, double{NAN}}) {
       Perturbation p;
       p.*field.width = wrong;
-      EXPECT_THAT(test::refusal([&] { validate(p); }), HasSubstr(std::string(field.name) + " is ")) << wrong;
+      EXPECT_THAT([&] { validate(p); }, test::refused_at({.key = std::string("perturbation/") + field.name,
+                                                          .value = fmt::to_string(wrong)}));
     }
     Perturbation edge;
     edge.*field.width = field.most;
     if (field.most_included) {
       EXPECT_NO_THROW(validate(edge)) << field.name;
     } else {
-      EXPECT_THAT([&] { validate(edge); },
-                  test::refused_at({.key = "perturbation", .value = "1", .limit = "in [0, 1)"}));
+      EXPECT_THAT([&] { validate(edge); }, test::refused_at({.key = std::string("perturbation/") + field.name,
+                                                             .value = "1",
+                                                             .limit = "in [0, 1)"}));
     }
   }
   Perturbation half;
   half.delay = 0.5;
-  EXPECT_THAT([&] { validate(half); },
-              test::refused_at({.value = "0.5", .limit = "a whole number of control periods"}));
+  EXPECT_THAT([&] { validate(half); }, test::refused_at({.key = "perturbation/delay",
+                                                         .value = "0.5",
+                                                         .limit = "a whole number of control periods"}));
 }
 
 TEST(Perturbed, ByNothingIsTheScenarioButForItsSeed) {

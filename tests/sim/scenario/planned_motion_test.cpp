@@ -15,8 +15,7 @@
 namespace armtune::internal {
 namespace planned_motion_test {
 
-using test::refusal;
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
 
 class PlannedMotion : public testing::Test {
@@ -29,7 +28,7 @@ class PlannedMotion : public testing::Test {
   std::string write(const std::string& text) const { return folder_.write("plan.csv", text); }
 
   /// Three rows at rest, one joint's cell replaced.
-  std::string refused(int row, int column, const std::string& value) const {
+  InputError refused(int row, int column, const std::string& value) const {
     std::string text = test::plan_header(*robot_);
     const JointVector zero = JointVector::Zero(6);
     for (int r = 0; r < 3; ++r) {
@@ -42,7 +41,7 @@ class PlannedMotion : public testing::Test {
       text += line;
     }
     const std::string path = write(text);
-    return refusal([&] { load(path); });
+    return test::input_error([&] { load(path); });
   }
   JointSpline load(const std::string& path) const { return load_planned_motion({{path}}, *robot_); }
   Scenario scenario(const std::string& keys) const {
@@ -95,13 +94,17 @@ TEST_F(PlannedMotion, OfWaypointsGoesThroughThemAtRestAtBothEnds) {
   std::string far = text;
   far.replace(far.find("0.1,0.2,0.3"), 11, "0.1,0.2,3.1");
   far.replace(far.find("11,0.5,0,0"), 10, "9.4,0.5,0,3.1");
-  EXPECT_THAT(refusal([&] { load(write(far)); }),
-              AllOf(HasSubstr("plan.csv:3: between this point and the next"), HasSubstr("elbow_joint"),
-                    HasSubstr("3.14159")));
+  const InputError between = test::input_error([&] { load(write(far)); });
+  EXPECT_THAT(between, refused_at({.file = folder_ / "plan.csv",
+                                   .line = 3,
+                                   .key = "joint/elbow_joint/position",
+                                   .limit = "-3.14159 to 3.14159"}));
+  EXPECT_THAT(between.what(), HasSubstr("between this point and the next"));
   // A velocity for one joint alone is a plan with columns missing.
   const std::string one_velocity =
       text.substr(0, text.find('\n')) + ",joint/elbow_joint/velocity\n8,0,0,0,0,0,0,0\n9,0,0,0,0,0,0,0\n";
-  EXPECT_THAT(refusal([&] { load(write(one_velocity)); }), HasSubstr("joint/shoulder_pan_joint/velocity"));
+  EXPECT_THAT([&] { load(write(one_velocity)); },
+              refused_at({.line = 1, .key = "joint/shoulder_pan_joint/velocity"}));
 }
 
 TEST_F(PlannedMotion, PointsThatAreJoinedAsRosDoesAreWhereItsSegmentsAre) {
@@ -134,8 +137,24 @@ TEST_F(PlannedMotion, PointsThatAreJoinedAsRosDoesAreWhereItsSegmentsAre) {
   EXPECT_LT((middle(3).position - 0.2375 * one).norm(), 1e-14);
   // Rows with velocities and without accelerations can be joined in no other way.
   EXPECT_LT((load(folder_.write("moves.csv", text(2))).at(3.0).position - 0.3 * one).norm(), 1e-14);
+  // Without interpolation, the next point is the state, but only points with velocities have one.
+  folder_.write("moves.csv", text(2));
+  const std::string jumps =
+      "planned: {file: moves.csv, segments: next_point, speed: 0.5}\nduration: planned\n";
+  const MotionPoint<JointVector> next = scenario(jumps).planned->at(3.0);
+  EXPECT_EQ(next.position, JointVector(0.8 * one));
+  EXPECT_EQ(next.velocity, JointVector(0.5 * 0.4 * one));
+  folder_.write("moves.csv", text(1));
+  EXPECT_THAT(
+      [&] { scenario(jumps); },
+      refused_at({.file = folder_ / "moves.csv", .key = "velocities", .limit = "velocities of each point"}));
   // Of accelerations that are not linear between rows, a motion that is to be smooth is refused.
-  EXPECT_THAT(refusal([&] { load(folder_.write("moves.csv", text(3))); }), HasSubstr("more rows"));
+  const InputError coarse = test::input_error([&] { load(folder_.write("moves.csv", text(3))); });
+  EXPECT_THAT(coarse, refused_at({.file = folder_ / "moves.csv",
+                                  .line = 3,
+                                  .key = "joint/" + robot_->joints[0].name + "/position",
+                                  .value = "0.8"}));
+  EXPECT_THAT(coarse.what(), HasSubstr("more rows"));
 }
 
 TEST_F(PlannedMotion, AUsersTableMayHavePlainNamesOtherUnitsOrNoNames) {
@@ -149,12 +168,17 @@ TEST_F(PlannedMotion, AUsersTableMayHavePlainNamesOtherUnitsOrNoNames) {
   EXPECT_DOUBLE_EQ(named.planned->at(1.5).position[0], std::numbers::pi / 2);
   EXPECT_DOUBLE_EQ(named.planned->at(1.5).position[2], -std::numbers::pi / 4);
   folder_.write("moves.csv", rows);
-  EXPECT_THAT(refusal([&] { scenario("planned: moves.csv\nduration: planned\n"); }),
-              AllOf(HasSubstr("moves.csv:1"),
-                    HasSubstr("planned: {file: \"moves.csv\", columns: [time, shoulder_pan")));
+  const auto as_they_are = [&] { scenario("planned: moves.csv\nduration: planned\n"); };
+  const InputError unnamed = test::input_error(as_they_are);
+  EXPECT_THAT(unnamed, refused_at({.file = folder_ / "moves.csv", .line = 1, .limit = "column names"}));
+  EXPECT_THAT(unnamed.what(), HasSubstr("planned: {file: \"moves.csv\", columns: [time, shoulder_pan"));
   folder_.write("moves.csv", header + "\n" + rows);
-  EXPECT_THAT(refusal([&] { scenario("planned: moves.csv\nduration: planned\n"); }),
-              AllOf(HasSubstr("is 90, outside"), HasSubstr("units: {angle: deg}")));
+  const InputError degrees = test::input_error(as_they_are);
+  EXPECT_THAT(degrees, refused_at({.file = folder_ / "moves.csv",
+                                   .line = 3,
+                                   .key = "joint/shoulder_pan_joint/position",
+                                   .value = "90"}));
+  EXPECT_THAT(degrees.what(), HasSubstr("units: {angle: deg}"));
   folder_.write("moves.csv", rows);
   std::string columns = "time";
   for (const JointInfo& joint : robot_->joints) columns += ", " + joint.name;
@@ -163,8 +187,12 @@ TEST_F(PlannedMotion, AUsersTableMayHavePlainNamesOtherUnitsOrNoNames) {
           .planned->at(1.5)
           .position,
       named.planned->at(1.5).position);
-  EXPECT_THAT(refusal([&] { scenario("planned: {file: moves.csv, segments: cubic}\nduration: planned\n"); }),
-              AllOf(HasSubstr("planned/segments"), HasSubstr("as_ros")));
+  EXPECT_THAT([&] { scenario("planned: {file: moves.csv, segments: cubic}\nduration: planned\n"); },
+              refused_at({.file = folder_ / "own.yaml",
+                          .line = 2,
+                          .key = "planned/segments",
+                          .value = "cubic",
+                          .limit = "as_ros or next_point"}));
 }
 
 TEST_F(PlannedMotion, DegreesOfAJointWithoutLimitsAreNamedAndTurnsInRadiansAreNot) {
@@ -179,21 +207,25 @@ TEST_F(PlannedMotion, DegreesOfAJointWithoutLimitsAreNamedAndTurnsInRadiansAreNo
     const std::string path =
         write(fmt::format("{}\n0,0,0,0,0,0,0\n{},{},0,0,0,0,0\n{},{},0,0,0,0,0\n{},0,0,0,0,0,0\n", names, out,
                           angle, 2.0 * out, angle, 20.0 * out));
-    return refusal([&] {
+    return test::input_error([&] {
       PlannedFile file{{path}};
       file.speed = speed;
       load_planned_motion(file, robot);
     });
   };
   const double degrees = 180.0 / std::numbers::pi;
-  EXPECT_THAT(refused(90.0, 0.3 * limit * degrees),
-              AllOf(HasSubstr("plan.csv:3: joint/shoulder_pan_joint/position is 90"),
-                    HasSubstr("units: {angle: deg}")));
-  EXPECT_EQ(refused(90.0, 0.3 * limit * degrees, 0.1), "nothing was refused")
+  const InputError in_degrees = refused(90.0, 0.3 * limit * degrees);
+  EXPECT_THAT(in_degrees, refused_at({.file = folder_ / "plan.csv",
+                                      .line = 3,
+                                      .key = "joint/shoulder_pan_joint/position",
+                                      .value = "90"}));
+  EXPECT_THAT(in_degrees.what(), HasSubstr("units: {angle: deg}"));
+  EXPECT_STREQ(refused(90.0, 0.3 * limit * degrees, 0.1).what(), "nothing was refused")
       << "a tenth of the speed is honest";
   for (const double turns : {1.0, 20.0, 100.0})
-    EXPECT_EQ(refused(turns * 2.0 * std::numbers::pi, 2.0 * limit), "nothing was refused") << turns;
-  EXPECT_EQ(refused(2.0 * std::numbers::pi, 1000.0 * limit), "nothing was refused") << "a wrapped angle";
+    EXPECT_STREQ(refused(turns * 2.0 * std::numbers::pi, 2.0 * limit).what(), "nothing was refused") << turns;
+  EXPECT_STREQ(refused(2.0 * std::numbers::pi, 1000.0 * limit).what(), "nothing was refused")
+      << "a wrapped angle";
 }
 
 TEST_F(PlannedMotion, TheColumnOfTheTimeMayHaveCapitals) {
@@ -225,8 +257,11 @@ TEST_F(PlannedMotion, AMessageOfRosIsOne) {
                     "time_from_start: 0}\n"
                     "- {positions: [1, 0, 3.0, 0, 0, 0], velocities: [0, 0, -9, 0, 0, 0], "
                     "time_from_start: 2}\n");
-  EXPECT_THAT(refusal([&] { scenario("planned: moves.yaml\nduration: planned\n"); }),
-              AllOf(HasSubstr("moves.yaml:3: between this point and the next"), HasSubstr("elbow_joint")));
+  EXPECT_THAT([&] { scenario("planned: moves.yaml\nduration: planned\n"); },
+              refused_at({.file = folder_ / "moves.yaml",
+                          .line = 3,
+                          .key = "joint/elbow_joint/position",
+                          .limit = "-3.14159 to 3.14159"}));
 }
 
 TEST_F(PlannedMotion, OfAMessageTheUnitsAreKnown) {
@@ -239,31 +274,42 @@ TEST_F(PlannedMotion, OfAMessageTheUnitsAreKnown) {
   };
   message("1");
   for (const char* key : {"units: {angle: deg}", "units: {time: s}", "columns: [time]"})
-    EXPECT_THAT(refusal([&] {
-                  scenario(std::string("planned: {file: moves.yaml, ") + key + "}\nduration: planned\n");
-                }),
-                HasSubstr("a JointTrajectory has"))
+    EXPECT_THAT(
+        [&] { scenario(std::string("planned: {file: moves.yaml, ") + key + "}\nduration: planned\n"); },
+        refused_at({.file = folder_ / "moves.yaml", .key = "units", .limit = "a CSV file"}))
         << key;
   message("90");
-  EXPECT_THAT(refusal([&] { scenario("planned: moves.yaml\nduration: planned\n"); }),
-              AllOf(HasSubstr("moves.yaml:4"), HasSubstr("has radians"), testing::Not(HasSubstr("units"))));
+  const InputError error = test::input_error([&] { scenario("planned: moves.yaml\nduration: planned\n"); });
+  EXPECT_THAT(error, refused_at({.file = folder_ / "moves.yaml",
+                                 .line = 4,
+                                 .key = "joint/shoulder_pan_joint/position",
+                                 .value = "90"}));
+  EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("has radians"), testing::Not(HasSubstr("units"))));
 }
 
 TEST_F(PlannedMotion, WhatIsNoMotionOfTheRobotIsRefusedWithLineAndColumn) {
-  EXPECT_THAT(refused(1, 0, "8"), AllOf(HasSubstr("plan.csv:3: time 8 s"), HasSubstr("later")));
-  EXPECT_THAT(refused(0, 0, "-1"), AllOf(HasSubstr("plan.csv:2: time is -1 s"), HasSubstr("shift")));
+  const std::string a_number = "a finite number";
+  const std::string pan = "joint/shoulder_pan_joint/", lift = "joint/shoulder_lift_joint/";
+  EXPECT_THAT(refused(1, 0, "8"), refused_at({.line = 3, .key = "time", .value = "8", .limit = "above 8"}));
+  EXPECT_THAT(refused(0, 0, "-1"),
+              refused_at({.line = 2, .key = "time", .value = "-1", .limit = "at least 0"}));
   EXPECT_THAT(refused(2, 3, "nan"),
-              AllOf(HasSubstr("plan.csv:4"), HasSubstr("joint/shoulder_pan_joint/acceleration"),
-                    HasSubstr("not a finite number")));
-  EXPECT_THAT(refused(2, 1, ""), HasSubstr("not a finite number"));
-  EXPECT_THAT(refused(1, 2, "fast"), AllOf(HasSubstr("plan.csv:3"), HasSubstr("'fast'")));
-  EXPECT_THAT(refused(0, 7, "4"), AllOf(HasSubstr("plan.csv:2: joint/elbow_joint/position is 4"),
-                                        HasSubstr("-3.14159 .. 3.14159")));
-  EXPECT_THAT(refused(1, 4, "2e-5"), AllOf(HasSubstr("plan.csv:3: joint/shoulder_lift_joint/position"),
-                                           HasSubstr("at most 1e-05"), HasSubstr("more rows")));
-  EXPECT_THAT(refused(1, 5, "2e-4"),
-              AllOf(HasSubstr("shoulder_lift_joint/velocity"), HasSubstr("at most 0.0001")));
-  EXPECT_EQ(refused(1, 4, "5e-6"), "nothing was refused") << "rounding to six digits is no jump";
+              refused_at({.line = 4, .key = pan + "acceleration", .value = "nan", .limit = a_number}));
+  EXPECT_THAT(refused(2, 1, ""),
+              refused_at({.line = 4, .key = pan + "position", .value = "", .limit = a_number}));
+  EXPECT_THAT(refused(1, 2, "fast"), refused_at({.line = 3, .key = pan + "velocity", .value = "fast"}));
+  EXPECT_THAT(
+      refused(0, 7, "4"),
+      refused_at(
+          {.line = 2, .key = "joint/elbow_joint/position", .value = "4", .limit = "-3.14159 to 3.14159"}));
+  const InputError jump = refused(1, 4, "2e-5");
+  EXPECT_THAT(jump,
+              refused_at({.line = 3, .key = lift + "position", .value = "2e-05", .limit = "0 within 1e-05"}));
+  EXPECT_THAT(jump.what(), HasSubstr("more rows"));
+  EXPECT_THAT(
+      refused(1, 5, "2e-4"),
+      refused_at({.line = 3, .key = lift + "velocity", .value = "0.0002", .limit = "0 within 0.0001"}));
+  EXPECT_STREQ(refused(1, 4, "5e-6").what(), "nothing was refused") << "rounding to six digits is no jump";
 }
 
 TEST_F(PlannedMotion, MayPassAPositionLimitByAPlannersToleranceOnly) {
@@ -276,24 +322,27 @@ TEST_F(PlannedMotion, MayPassAPositionLimitByAPlannersToleranceOnly) {
       text += test::plan_row(t, {position, JointVector::Zero(6), JointVector::Zero(6)});
     }
     const std::string path = write(text);
-    return refusal([&] { load(path); });
+    return test::input_error([&] { load(path); });
   };
   for (const double side : {-1.0, 1.0}) {
     const double limit = side < 0.0 ? elbow.lower : elbow.upper;
-    EXPECT_EQ(at_rest_at(limit + side * 0.9e-6), "nothing was refused");
-    EXPECT_THAT(at_rest_at(limit + side * 1.1e-6), HasSubstr("outside the joint's limits"));
+    EXPECT_STREQ(at_rest_at(limit + side * 0.9e-6).what(), "nothing was refused");
+    EXPECT_THAT(at_rest_at(limit + side * 1.1e-6),
+                refused_at({.line = 2, .key = "joint/elbow_joint/position", .limit = "-3.14159 to 3.14159"}));
   }
 }
 
 TEST_F(PlannedMotion, AFileThatIsNotOneIsRefused) {
-  EXPECT_THAT(refusal([&] { load(folder_ / "none.csv"); }), HasSubstr("no such file"));
+  EXPECT_THAT([&] { load(folder_ / "none.csv"); }, refused_at({.file = folder_ / "none.csv"}));
   const std::string text = csv();
   const std::string one_row = text.substr(0, text.find('\n', text.find('\n') + 1) + 1);
-  EXPECT_THAT(refusal([&] { load(write(one_row)); }), HasSubstr("at least two"));
+  const std::string path = folder_ / "plan.csv";
+  EXPECT_THAT([&] { load(write(one_row)); },
+              refused_at({.file = path, .value = "1", .limit = "at least 2 rows"}));
   std::string no_elbow = text;
   no_elbow.replace(text.find("elbow_joint/velocity"), 5, "ankle");
-  EXPECT_THAT(refusal([&] { load(write(no_elbow)); }),
-              AllOf(HasSubstr("plan.csv:1"), HasSubstr("joint/elbow_joint/velocity")));
+  EXPECT_THAT([&] { load(write(no_elbow)); },
+              refused_at({.file = path, .line = 1, .key = "joint/elbow_joint/velocity"}));
 }
 
 }  // namespace planned_motion_test

@@ -12,9 +12,7 @@
 namespace armtune::internal {
 namespace planned_scenario_test {
 
-using test::refusal;
-using testing::AllOf;
-using testing::HasSubstr;
+using test::refused_at;
 
 class PlannedScenario : public testing::Test {
  protected:
@@ -76,11 +74,18 @@ TEST_F(PlannedScenario, AloneItCanHoldTheEndForAWhile) {
   EXPECT_EQ(alone("duration: planned\nhold_end: 0.5\n").periods(), 1250);
   EXPECT_TRUE(alone("duration: 2.002\n").holds_goal());
   EXPECT_FALSE(alone("duration: 2\n").holds_goal());
-  EXPECT_THAT(refusal([&] { alone("duration: 3\nhold_end: 0.5\n"); }), HasSubstr("duration: planned"));
-  EXPECT_THAT(refusal([&] { alone("hold_end: -1\n"); }), HasSubstr("hold_end"));
-  EXPECT_THAT(refusal([&] { alone("goal_tolerance: 0\n"); }), HasSubstr("goal_tolerance"));
-  EXPECT_THAT(refusal([&] { scenario("planned: plan.csv\nduration: planned\nhold_end: 0.5\n"); }),
-              HasSubstr("has a task of its tool"));
+  EXPECT_THAT([&] { alone("duration: 3\nhold_end: 0.5\n"); },
+              refused_at({.line = 6, .key = "hold_end", .value = "0.5", .limit = "duration: planned"}));
+  EXPECT_THAT([&] { alone("hold_end: -1\n"); },
+              refused_at({.line = 5, .key = "hold_end", .value = "-1", .limit = "0 to 3600"}));
+  EXPECT_THAT([&] { alone("goal_tolerance: 0\n"); },
+              refused_at({.line = 5, .key = "goal_tolerance", .value = "0", .limit = "1e-06 to 1"}));
+  EXPECT_THAT([&] { scenario("planned: plan.csv\nduration: planned\nhold_end: 0.5\n"); },
+              refused_at({.file = folder_ / "own.yaml",
+                          .line = 4,
+                          .key = "hold_end",
+                          .value = "0.5",
+                          .limit = "a duration in seconds"}));
 }
 
 // q(t) becomes q(begin + speed (t - begin)), so its derivatives grow with the speed and its square.
@@ -105,7 +110,8 @@ TEST_F(PlannedScenario, TheSpeedOfTheMotionCanBeChanged) {
       }
     }
   }
-  EXPECT_THAT(refusal([&] { scenario("planned: {file: plan.csv, speed: 0}\n"); }), HasSubstr("speed"));
+  EXPECT_THAT([&] { scenario("planned: {file: plan.csv, speed: 0}\n"); },
+              refused_at({.line = 2, .key = "planned/speed", .value = "0", .limit = "0.01 to 10"}));
 }
 
 TEST_F(PlannedScenario, WithoutABaseNeedsNeitherDurationNorStart) {
@@ -132,13 +138,15 @@ TEST_F(PlannedScenario, ASwitchOfTargetsAtItsBeginningIsOne) {
 
 TEST_F(PlannedScenario, WhatDoesNotGoWithItIsRefused) {
   write(csv());
-  EXPECT_THAT(refusal([&] {
-                scenario("planned: plan.csv\nstimulus: {on: path, step: {offset: [0, 0, 0.1], at: 9}}\n");
-              }),
-              AllOf(HasSubstr("own.yaml"), HasSubstr("stimulus")));
-  EXPECT_THAT(refusal([&] { scenario("duration: planned\n"); }),
-              AllOf(HasSubstr("own.yaml:2"), HasSubstr("no planned trajectory")));
-  EXPECT_THAT(refusal([&] { scenario("planned: other.csv\n"); }), HasSubstr("other.csv"));
+  const std::string step = "stimulus: {on: path, step: {offset: [0, 0, 0.1], at: 9}}\n";
+  EXPECT_THAT([&] { scenario("planned: plan.csv\n" + step); },
+              refused_at({.line = 3, .key = "stimulus", .limit = "no planned trajectory"}));
+  EXPECT_THAT([&] { scenario("duration: planned\n"); }, refused_at({.file = folder_ / "own.yaml",
+                                                                    .line = 2,
+                                                                    .key = "duration",
+                                                                    .value = "planned",
+                                                                    .limit = "a duration in seconds"}));
+  EXPECT_THAT([&] { scenario("planned: other.csv\n"); }, refused_at({.file = folder_ / "other.csv"}));
   plan_.duration = 1e-3;
   plan_.step = 5e-4;
   plan_.goal = plan_.start;

@@ -16,9 +16,6 @@
 namespace armtune::internal {
 namespace plant_factors_test {
 
-using testing::AllOf;
-using testing::HasSubstr;
-
 /// Rounding of sums of a few dozen products.
 constexpr double kRounding = 1e-12;
 
@@ -97,8 +94,12 @@ TEST(PlantFactors, ComeFromTheScenarioFileAndMustBePositive) {
 
   for (const char* key : {"mass_factors", "inertia_factors", "rotor_factors"}) {
     folder.write("own.yaml", std::string("base: moving_target\nplant:\n  ") + key + ": [1, 1, 0, 1, 1, 1]\n");
-    EXPECT_THAT(test::refusal([&] { load_scenario(path); }),
-                AllOf(HasSubstr("own.yaml:3:"), HasSubstr(key), HasSubstr("> 0")));
+    EXPECT_THAT([&] { load_scenario(path); },
+                test::refused_at({.file = path,
+                                  .line = 3,
+                                  .key = fmt::format("plant/{}", key),
+                                  .value = "0",
+                                  .limit = "factors above 0 (1: as in the robot file)"}));
   }
 }
 

@@ -8,6 +8,7 @@
 namespace armtune::internal {
 namespace random_targets_test {
 
+using test::refused_at;
 using testing::HasSubstr;
 
 const Vec3& low() {
@@ -64,18 +65,32 @@ TEST(RandomTargets, AFileDrawsThemInPlaceOfItsBasesTargets) {
     return load_scenario(
         folder.write("own.yaml", "base: moving_target\ntargets:\n  random: {" + random + "}\n"));
   };
-  const auto refused = [&load](const std::string& random) { return test::refusal([&] { load(random); }); };
+  const auto refused = [&load](const std::string& random) {
+    return test::input_error([&] { load(random); });
+  };
   const Scenario scenario = load("count: 4, low: [-0.9, -0.3, 0.2], high: [-0.3, 0.5, 0.2], seed: 7");
   const auto expected = random_targets(4, low(), high(), 7);
   ASSERT_EQ(scenario.targets.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(scenario.targets[i].path.center, expected[i].path.center);
 
-  EXPECT_THAT(refused("count: 0, low: [0, 0, 0], high: [1, 1, 1]"), HasSubstr("1 .. 1000"));
-  EXPECT_THAT(refused("count: 1001, low: [0, 0, 0], high: [1, 1, 1]"), HasSubstr("1 .. 1000"));
-  EXPECT_THAT(refused("count: 2, low: [0, 0.1, 0], high: [1, 0, 1]"), HasSubstr("less than in 'low'"));
-  EXPECT_THAT(refused("count: 2, low: [0, 0, 0], high: [1, 1, 1], seed: -1"), HasSubstr("negative"));
-  EXPECT_THAT(refused("count: 2, low: [0, 0, 0]"), HasSubstr("missing key 'high'"));
-  EXPECT_THAT(refused("count: 2, low: [0, 0, 0], high: [1, 1, 1], sed: 1"), HasSubstr("did you mean 'seed'"));
+  EXPECT_THAT(refused("count: 0, low: [0, 0, 0], high: [1, 1, 1]"),
+              refused_at({.line = 3, .key = "targets/random/count", .value = "0", .limit = "1 to 1000"}));
+  EXPECT_THAT(refused("count: 1001, low: [0, 0, 0], high: [1, 1, 1]"),
+              refused_at({.line = 3, .key = "targets/random/count", .value = "1001", .limit = "1 to 1000"}));
+  EXPECT_THAT(
+      refused("count: 2, low: [0, 0.1, 0], high: [1, 0, 1]"),
+      refused_at({.line = 3, .key = "targets/random/high", .limit = "at least as large as in 'low'"}));
+  EXPECT_THAT(refused("count: 2, low: [0, 0, 0], high: [1, 1, 1], seed: -1"),
+              refused_at({.line = 3, .key = "targets/random/seed", .value = "-1", .limit = "not negative"}));
+  EXPECT_THAT(refused("count: 2, low: [0, 0, 0]"),
+              refused_at({.line = 3, .key = "targets/random", .limit = "the key 'high'"}));
+  EXPECT_THAT(refused("count: 2, low: [0, 0, 0], high: [1, 1, 1], sed: 1"),
+              refused_at({.line = 3,
+                          .key = "targets/random/sed",
+                          .value = "sed",
+                          .limit = "the keys: count, low, high, seed"}));
+  EXPECT_THAT(refused("count: 2, low: [0, 0, 0], high: [1, 1, 1], sed: 1").what(),
+              HasSubstr("did you mean 'seed'"));
 }
 
 }  // namespace random_targets_test

@@ -9,15 +9,16 @@
 #include "core/robot/urdf_writer.hpp"
 #include "sim/scenario/robot_writer.hpp"
 #include "sim/scenario/sidecar_text.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
 namespace robot_file_test {
 
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
 
-const std::string kUrdf = ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf";
+const std::string kUrdf = test::source_dir() + "/sim/robots/ur10.urdf";
 
 std::string robot_text(const std::string& rest) {
   return "urdf: " + kUrdf + "\n" + rest;
@@ -66,9 +67,12 @@ TEST(RobotFile, SaysWhetherTheRobotHoldsItsOwnWeight) {
       load_robot(folder.write("again.yaml", robot_yaml(*arm, "again.urdf", "")))->compensates_gravity);
   for (const char* name : {"fr3", "panda", "iiwa14"})
     EXPECT_TRUE(load_robot(name)->compensates_gravity) << name;
-  EXPECT_THAT(
-      test::refusal([&] { load_robot(folder.write("arm.yaml", robot_text("compensates_gravity: 1.5\n"))); }),
-      HasSubstr("arm.yaml:2"));
+  const std::string wrong = folder.write("arm.yaml", robot_text("compensates_gravity: 1.5\n"));
+  EXPECT_THAT([&] { load_robot(wrong); }, refused_at({.file = wrong,
+                                                      .line = 2,
+                                                      .key = "compensates_gravity",
+                                                      .value = "1.5",
+                                                      .limit = "true or false"}));
 }
 
 TEST(RobotFile, HasGainsOfDrives) {
@@ -83,12 +87,18 @@ TEST(RobotFile, HasGainsOfDrives) {
   const auto again = load_robot(folder.write("again.yaml", robot_yaml(*arm, "again.urdf", "")));
   EXPECT_EQ(again->drive_velocity_gain, arm->drive_velocity_gain);
   EXPECT_EQ(again->drive_velocity_integral, arm->drive_velocity_integral);
-  for (const char* wrong :
-       {"drive_velocity_gain: [1, 2, 3, 4, 5, 0]\n", "drive_velocity_gain: [1, 2, .nan, 4, 5, 1]\n",
-        "drive_velocity_integral: [1, 2, 3, 4, 5, -1]\n"})
-    EXPECT_THAT(test::refusal([&] { load_robot(folder.write("arm.yaml", robot_text(wrong))); }),
-                HasSubstr("arm.yaml:2"))
-        << wrong;
+  struct Wrong {
+    std::string key, list, at, value, limit;
+  };
+  for (const auto& [key, list, at, value, limit] :
+       {Wrong{"drive_velocity_gain", "[1, 2, 3, 4, 5, 0]", "", "0", "finite and above 0"},
+        Wrong{"drive_velocity_gain", "[1, 2, .nan, 4, 5, 1]", "/2", ".nan",
+              "a decimal number with '.' and no unit, such as -1.5 or 1e3"},
+        Wrong{"drive_velocity_integral", "[1, 2, 3, 4, 5, -1]", "", "-1", "finite and at least 0"}}) {
+    const std::string path = folder.write("arm.yaml", robot_text(key + ": " + list + "\n"));
+    EXPECT_THAT([&path] { load_robot(path); },
+                refused_at({.file = path, .line = 2, .key = key + at, .value = value, .limit = limit}));
+  }
 }
 
 TEST(RobotFile, HasAMapOfDrives) {
@@ -113,20 +123,38 @@ TEST(RobotFile, HasAMapOfDrives) {
   EXPECT_EQ(bare->drive_position_gain.size() + bare->drive_torque_rate.size() + bare->drive_delay.size(), 0);
   EXPECT_EQ(bare->drive_rate, 0.0);
   EXPECT_EQ(robot_yaml(*bare, "again.urdf").find("drives"), std::string::npos);
-  for (const char* wrong :
-       {"{position_gain: 0}", "{position_gain: [1, 2, 3]}", "{torque_rate: -1}", "{torque_rate: 0}",
-        "{torque_rate: .inf}", "{delay: -0.001}", "{delay: 0.2}", "{rate: 0}", "{rate: 1e6}",
-        "{velocity_gain: .nan}", "{velocity_integral: -1}", "{gain: 3}", "7"})
-    EXPECT_THAT(test::refusal([&] {
-                  load_robot(folder.write("arm.yaml", robot_text(std::string("drives: ") + wrong + "\n")));
-                }),
-                AllOf(HasSubstr("arm.yaml:2"), HasSubstr("drives")))
-        << wrong;
-  EXPECT_THAT(test::refusal([&] {
-                load_robot(folder.write("arm.yaml", robot_text("drive_velocity_gain: [1, 1, 1, 1, 1, 1]\n"
-                                                               "drives: {velocity_gain: 2}\n")));
-              }),
-              AllOf(HasSubstr("arm.yaml:3"), HasSubstr("drive_velocity_gain")));
+}
+
+TEST(RobotFile, RefusesDrivesThatNoRobotHas) {
+  const test::TemporaryFolder folder;
+  const std::string a_number = "a decimal number with '.' and no unit, such as -1.5 or 1e3";
+  const std::string positive = "finite and above 0";
+  const std::string delay = "finite and at least 0, and at most 0.1";
+  struct Wrong {
+    std::string key, given, value, limit;
+  };
+  for (const auto& [key, given, value, limit] :
+       {Wrong{"position_gain", "0", "0", positive}, Wrong{"position_gain", "[1, 2, 3]", "3", "6 numbers"},
+        Wrong{"torque_rate", "-1", "-1", positive}, Wrong{"torque_rate", "0", "0", positive},
+        Wrong{"torque_rate", ".inf", ".inf", a_number}, Wrong{"delay", "-0.001", "-0.001", delay},
+        Wrong{"delay", "0.2", "0.2", delay}, Wrong{"rate", "0", "0", "1 to 100000"},
+        Wrong{"rate", "1e6", "1e6", "1 to 100000"}, Wrong{"velocity_gain", ".nan", ".nan", a_number},
+        Wrong{"velocity_integral", "-1", "-1", "finite and at least 0"},
+        Wrong{"gain", "3", "gain",
+              "the keys: velocity_gain, velocity_integral, position_gain, torque_rate, delay, rate"}}) {
+    const std::string path = folder.write("arm.yaml", robot_text("drives: {" + key + ": " + given + "}\n"));
+    EXPECT_THAT(
+        [&path] { load_robot(path); },
+        refused_at({.file = path, .line = 2, .key = "drives/" + key, .value = value, .limit = limit}));
+  }
+  const std::string no_map = folder.write("arm.yaml", robot_text("drives: 7\n"));
+  EXPECT_THAT([&] { load_robot(no_map); },
+              refused_at({.line = 2, .key = "drives", .value = "7", .limit = "a map of 'key: value'"}));
+  const std::string twice = folder.write("arm.yaml", robot_text("drive_velocity_gain: [1, 1, 1, 1, 1, 1]\n"
+                                                                "drives: {velocity_gain: 2}\n"));
+  const InputError error = test::input_error([&] { load_robot(twice); });
+  EXPECT_THAT(error, refused_at({.file = twice, .line = 3, .key = "drives/velocity_gain", .value = "2"}));
+  EXPECT_THAT(error.what(), HasSubstr("remove the key drive_velocity_gain"));
 }
 
 TEST(RobotFile, EstimatesTheRotorsThatNoFileGives) {
@@ -144,14 +172,14 @@ TEST(RobotFile, EstimatesTheRotorsThatNoFileGives) {
   EXPECT_THAT(load_robot(folder.write("given.yaml", robot_text("rotor_inertia: [1, 2, 3, 4, 5, 6]\n")))
                   ->estimated_rotors,
               testing::IsEmpty());
+  const std::string two = folder.write("two.yaml", robot_text("rotor_inertia: {estimated: [0.1, 0.2]}\n"));
   EXPECT_THAT(
-      test::refusal([&] {
-        load_robot(folder.write("short.yaml", robot_text("rotor_inertia: {estimated: [0.1, 0.2]}\n")));
-      }),
-      HasSubstr("short.yaml:2"));
-  EXPECT_THAT(
-      test::refusal([&] { load_robot(folder.write("arm.yaml", robot_text("rotor_inertia: guessed\n"))); }),
-      HasSubstr("rotor_inertia"));
+      [&] { load_robot(two); },
+      refused_at(
+          {.file = two, .line = 2, .key = "rotor_inertia/estimated", .value = "2", .limit = "6 numbers"}));
+  const std::string guessed = folder.write("guessed.yaml", robot_text("rotor_inertia: guessed\n"));
+  EXPECT_THAT([&] { load_robot(guessed); },
+              refused_at({.file = guessed, .line = 2, .key = "rotor_inertia", .value = "guessed"}));
 }
 
 TEST(RobotFile, LinksAreAsThickAsTheirShapesOrAsItSays) {
@@ -165,8 +193,11 @@ TEST(RobotFile, LinksAreAsThickAsTheirShapesOrAsItSays) {
   EXPECT_EQ(said->link_radii[2], 0.0);
   const std::string thin =
       folder.write("thin.yaml", robot_text("link_radius: [0.1, 0.2, -0.1, 0.1, 0.1, 0.1]\n"));
-  EXPECT_THAT(test::refusal([&] { load_robot(thin); }),
-              AllOf(HasSubstr("thin.yaml:2"), HasSubstr("forearm_link is -0.1 m"), HasSubstr("0 .. 10")));
+  const InputError error = test::input_error([&] { load_robot(thin); });
+  EXPECT_THAT(
+      error,
+      refused_at({.file = thin, .line = 2, .key = "link_radius", .value = "-0.1", .limit = "0 to 10 m"}));
+  EXPECT_THAT(error.what(), HasSubstr("forearm_link"));
 }
 
 TEST(RobotFile, ATurnedToolIsTurned) {
@@ -228,8 +259,8 @@ TEST(RobotFile, WhatIsMissingIsAYamlThatLoadsOnceItIsFilledIn) {
   const RobotFile file = read_robot_file(urdf);
   const std::string text = sidecar_yaml(file.urdf, missing_data(file.urdf, file.options), {});
   const std::string path = folder.write("arm.yaml", text);
-  EXPECT_THAT(test::refusal([&] { load_robot(path); }),
-              AllOf(HasSubstr("arm.yaml:4"), HasSubstr("velocity")));
+  EXPECT_THAT([&] { load_robot(path); },
+              refused_at({.file = path, .line = 4, .key = "limits/j: k/velocity", .limit = "a number"}));
   std::string filled = text;
   const auto fill = [&](const std::string& key, const std::string& value) {
     const auto at = filled.find(key + ":  #");
@@ -269,25 +300,41 @@ TEST(RobotFile, WhatDoesNotFitIsRefusedInOneLine) {
   const test::TemporaryFolder folder;
   const auto refused = [&](const std::string& rest) {
     const std::string path = folder.write("arm.yaml", robot_text(rest));
-    return test::refusal([&] { load_robot(path); });
+    return test::input_error([&] { load_robot(path); });
   };
   const std::string path = folder / "arm.yaml";
-  EXPECT_THAT(refused("rotor_inertia: [0.1, 0.1]\n"), AllOf(HasSubstr(path + ":2"), HasSubstr("expected 6")));
-  EXPECT_THAT(refused("rotor_inertia: {elbow: 1}\n"),
-              AllOf(HasSubstr(path + ":2"), HasSubstr("missing key")));
-  EXPECT_THAT(refused("rotor_inertia: [0.1, 0.1, -0.1, 0.1, 0.1, 0.1]\n"), HasSubstr("elbow_joint"));
-  EXPECT_THAT(refused("rotor_inertias: [1]\n"), HasSubstr("did you mean 'rotor_inertia'"));
-  EXPECT_THAT(refused("tool: {xyz: [0, 0]}\n"), AllOf(HasSubstr(path + ":2"), HasSubstr("3")));
-  EXPECT_THAT(refused("tip_link: tool1\n"), HasSubstr("tool1"));
-  EXPECT_THAT(refused("hold: {elbow: 0}\n"), HasSubstr("there is no joint 'elbow'"));
-  EXPECT_THAT(refused("hold: {elbow_joint: bent}\n"), AllOf(HasSubstr(path + ":2"), HasSubstr("number")));
+  EXPECT_THAT(
+      refused("rotor_inertia: [0.1, 0.1]\n"),
+      refused_at({.file = path, .line = 2, .key = "rotor_inertia", .value = "2", .limit = "6 numbers"}));
+  EXPECT_THAT(
+      refused("rotor_inertia: {elbow: 1}\n"),
+      refused_at({.file = path, .line = 2, .key = "rotor_inertia", .limit = "the key 'shoulder_pan_joint'"}));
+  EXPECT_THAT(refused("rotor_inertia: [0.1, 0.1, -0.1, 0.1, 0.1, 0.1]\n"),
+              refused_at({.file = kUrdf, .key = "elbow_joint/rotor_inertia", .value = "-0.1"}));
+  const InputError misspelt = refused("rotor_inertias: [1]\n");
+  EXPECT_THAT(misspelt,
+              refused_at({.file = path, .line = 2, .key = "rotor_inertias", .value = "rotor_inertias"}));
+  EXPECT_THAT(misspelt.what(), HasSubstr("did you mean 'rotor_inertia'"));
+  EXPECT_THAT(refused("tool: {xyz: [0, 0]}\n"),
+              refused_at({.file = path, .line = 2, .key = "tool/xyz", .value = "2", .limit = "3 numbers"}));
+  EXPECT_THAT(refused("tip_link: tool1\n"), refused_at({.file = kUrdf, .key = "tip_link", .value = "tool1"}));
+  EXPECT_THAT(refused("hold: {elbow: 0}\n"),
+              refused_at({.file = kUrdf, .key = "hold/elbow", .value = "elbow"}));
+  EXPECT_THAT(refused("hold: {elbow_joint: bent}\n"),
+              refused_at({.file = path, .line = 2, .key = "hold/elbow_joint", .value = "bent"}));
   EXPECT_THAT(refused("limits: {elbow_joint: {speed: 1}}\n"),
-              AllOf(HasSubstr(path + ":2"), HasSubstr("'speed'")));
+              refused_at({.file = path, .line = 2, .key = "limits/elbow_joint/speed", .value = "speed"}));
   EXPECT_THAT(refused("inertia: {forearm_link: {mass: -1, moments: [1, 0, 0, 1, 0, 1]}}\n"),
-              AllOf(HasSubstr(path + ":2"), HasSubstr("negative")));
+              refused_at({.file = path,
+                          .line = 2,
+                          .key = "inertia/forearm_link/mass",
+                          .value = "-1",
+                          .limit = "not negative"}));
   folder.write("arm.yaml", "tip_link: tool0\n");
-  EXPECT_THAT(test::refusal([&] { load_robot(path); }), HasSubstr("missing key 'urdf'"));
-  EXPECT_THAT(test::refusal([&] { load_robot(folder / "none.urdf"); }), HasSubstr("none.urdf"));
+  EXPECT_THAT([&] { load_robot(path); },
+              refused_at({.file = path, .line = 1, .key = "", .limit = "the key 'urdf'"}));
+  const std::string none = folder / "none.urdf";
+  EXPECT_THAT([&] { load_robot(none); }, refused_at({.file = none}));
 }
 
 }  // namespace robot_file_test

@@ -11,7 +11,6 @@
 namespace armtune::internal {
 namespace start_of_task_test {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 Gains published(const Scenario& scenario) {
@@ -41,8 +40,9 @@ TEST(StartOfTask, AScenarioWithoutAStartFindsItsOwnAndTheGoalOnTheTask) {
 
   const Scenario given =
       load_scenario(folder.write("given.yaml", text + "start_position_deg: [0, -90, 90, 0, 0, 0]\n"));
-  EXPECT_THAT(test::refusal([&] { with_goal(gains, given); }),
-              AllOf(HasSubstr("given"), HasSubstr("joint_space_goal")));
+  EXPECT_THAT([&] { with_goal(gains, given); }, test::refused_at({.file = folder / "given.yaml",
+                                                                  .key = "start_position_deg",
+                                                                  .limit = "joint_space_goal in the gains"}));
 }
 
 TEST(StartOfTask, WaypointsInMillimetresAreNamedAndOnesInMetresThatAreOutOfReachAreNot) {
@@ -55,13 +55,16 @@ TEST(StartOfTask, WaypointsInMillimetresAreNamedAndOnesInMetresThatAreOutOfReach
             "}}\ntargets: [{name: below, center: [-0.6, 0, 0]}]\ntheta_start: {model_scale: 1}\n"));
   };
   const std::string millimetres = "0,-650,160,500\n5,-700,160,500\n9,-700,200,400\n";
-  EXPECT_THAT(test::refusal([&] { load(millimetres, ""); }),
-              AllOf(HasSubstr("(-650, 160, 500) m"), HasSubstr("units: {length: mm}")));
+  const InputError far = test::input_error([&] { load(millimetres, ""); });
+  EXPECT_THAT(far,
+              test::refused_at({.file = folder / "own.yaml", .key = "path", .value = "(-650, 160, 500)"}));
+  EXPECT_THAT(far.what(), HasSubstr("units: {length: mm}"));
   EXPECT_LT(
       (load(millimetres, ", units: {length: mm}").path.at(0.0).position - Vec3(-0.65, 0.16, 0.5)).norm(),
       1e-12);
-  EXPECT_THAT(test::refusal([&] { load("0,-6.5,1.6,5\n9,-7,2,4\n", ""); }),
-              AllOf(HasSubstr("(-6.5, 1.6, 5) m"), testing::Not(HasSubstr("mm"))));
+  const InputError metres = test::input_error([&] { load("0,-6.5,1.6,5\n9,-7,2,4\n", ""); });
+  EXPECT_THAT(metres, test::refused_at({.key = "path", .value = "(-6.5, 1.6, 5)"}));
+  EXPECT_THAT(metres.what(), testing::Not(HasSubstr("mm")));
 }
 
 TEST(StartOfTask, AGainsFileMayLeaveTheGoalOutAndReadsBackWithoutIt) {

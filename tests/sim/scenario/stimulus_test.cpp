@@ -11,7 +11,7 @@
 namespace armtune::internal {
 namespace stimulus_test {
 
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
 
 TEST(Stimulus, AStepIsWholeFromItsTimeOn) {
@@ -96,13 +96,13 @@ class StimulusFile : public testing::Test {
   std::optional<Stimulus> load(const std::string& stimulus) const {
     return load_scenario(write(stimulus)).stimulus;
   }
-  std::string refused(const std::string& stimulus) const {
+  InputError refused(const std::string& stimulus) const {
     const std::string path = write(stimulus);
-    const std::string message = test::refusal([&path] { load_scenario(path); });
-    EXPECT_THAT(message, testing::StartsWith(path + ":"));
-    return message;
+    const InputError error = test::input_error([&path] { load_scenario(path); });
+    EXPECT_EQ(error.place().file, path);
+    return error;
   }
-  std::string refused_sines(const std::string& what) const {
+  InputError refused_sines(const std::string& what) const {
     return refused("  on: path\n  sines: {" + what + "}\n");
   }
 
@@ -142,17 +142,29 @@ TEST_F(StimulusFile, ReadsSines) {
 }
 
 TEST_F(StimulusFile, MistakesAreRefusedWithTheirLine) {
-  EXPECT_THAT(refused("  step: {offset: [0, 0, 1], at: 1}\n"), HasSubstr("missing key 'on'"));
-  EXPECT_THAT(refused("  on: tool\n  step: {offset: [0, 0, 1], at: 1}\n"),
-              AllOf(HasSubstr(":4:"), HasSubstr("'tool' is not one of: path, target")));
-  EXPECT_THAT(refused("  on: path\n"), HasSubstr("give one of: step, sines"));
-  EXPECT_THAT(refused("  on: path\n  stepp: {}\n"), HasSubstr("did you mean 'step'"));
+  EXPECT_THAT(refused("  step: {offset: [0, 0, 1], at: 1}\n"),
+              refused_at({.line = 3, .key = "stimulus", .limit = "the key 'on'"}));
+  EXPECT_THAT(
+      refused("  on: tool\n  step: {offset: [0, 0, 1], at: 1}\n"),
+      refused_at({.line = 4, .key = "stimulus/on", .value = "tool", .limit = "one of: path, target"}));
+  EXPECT_THAT(refused("  on: path\n"),
+              refused_at({.line = 3, .key = "stimulus", .limit = "one of: step, sines"}));
+  EXPECT_THAT(
+      refused("  on: path\n  stepp: {}\n"),
+      refused_at(
+          {.line = 5, .key = "stimulus/stepp", .value = "stepp", .limit = "the keys: on, step, sines"}));
+  EXPECT_THAT(refused("  on: path\n  stepp: {}\n").what(), HasSubstr("did you mean 'step'"));
   EXPECT_THAT(refused("  on: path\n  step: {offset: [0, 0, 0], at: 1}\n"),
-              AllOf(HasSubstr(":5:"), HasSubstr("offset"), HasSubstr("zero")));
-  EXPECT_THAT(refused("  on: path\n  step: {offset: [0, 0, 1]}\n"), HasSubstr("missing key 'at'"));
-  EXPECT_THAT(refused("  on: path\n  step: {offset: [0, 0, 1], at: -1}\n"), HasSubstr("0 .. 29.998 s"));
-  EXPECT_THAT(refused("  on: path\n  step: {offset: [0, 0, 1], at: 30}\n"), HasSubstr("0 .. 29.998 s"));
-  EXPECT_THAT(refused("  on: path\n  step: {offset: [0, 0, 1], at: 1, size: 1}\n"), HasSubstr("size"));
+              refused_at({.line = 5, .key = "stimulus/step/offset", .limit = "finite and above zero"}));
+  EXPECT_THAT(refused("  on: path\n  step: {offset: [0, 0, 1]}\n"),
+              refused_at({.line = 5, .key = "stimulus/step", .limit = "the key 'at'"}));
+  EXPECT_THAT(refused("  on: path\n  step: {offset: [0, 0, 1], at: -1}\n"),
+              refused_at({.line = 5, .key = "stimulus/step/at", .value = "-1", .limit = "0 to 29.998 s"}));
+  EXPECT_THAT(refused("  on: path\n  step: {offset: [0, 0, 1], at: 30}\n"),
+              refused_at({.line = 5, .key = "stimulus/step/at", .value = "30", .limit = "0 to 29.998 s"}));
+  EXPECT_THAT(
+      refused("  on: path\n  step: {offset: [0, 0, 1], at: 1, size: 1}\n"),
+      refused_at({.line = 5, .key = "stimulus/step/size", .value = "size", .limit = "the keys: offset, at"}));
 }
 
 TEST_F(StimulusFile, SinesThatCannotBeMeasuredAreRefused) {
@@ -167,23 +179,46 @@ TEST_F(StimulusFile, SinesThatCannotBeMeasuredAreRefused) {
     text.replace(begin, end == std::string::npos ? end : end - begin, change);
     return refused_sines(text);
   };
-  EXPECT_THAT(sines("direction: [0, 0, 0]"), HasSubstr("zero"));
-  EXPECT_THAT(sines("amplitude: 0"), HasSubstr("must be > 0"));
-  EXPECT_THAT(sines("base_period: 0"), HasSubstr("control period"));
-  EXPECT_THAT(sines("base_period: 31"), HasSubstr("duration"));
-  EXPECT_THAT(sines("base_period: 4.999"), HasSubstr("whole number of control periods"));
-  EXPECT_THAT(sines("orders: []"), HasSubstr("at least one"));
-  EXPECT_THAT(sines("orders: [0, 1]"), HasSubstr("at least 1"));
-  EXPECT_THAT(sines("orders: [1, 3, 3]"), AllOf(HasSubstr("orders/2"), HasSubstr("increase")));
-  EXPECT_THAT(sines("orders: [1, 1250]"), HasSubstr("half the control rate"));
+  EXPECT_THAT(sines("direction: [0, 0, 0]"),
+              refused_at({.line = 5, .key = "stimulus/sines/direction", .limit = "finite and above zero"}));
+  EXPECT_THAT(sines("amplitude: 0"),
+              refused_at({.line = 5, .key = "stimulus/sines/amplitude", .value = "0", .limit = "above 0"}));
+  EXPECT_THAT(
+      sines("base_period: 0"),
+      refused_at({.line = 5, .key = "stimulus/sines/base_period", .value = "0", .limit = "0.002 to 30 s"}));
+  EXPECT_THAT(
+      sines("base_period: 31"),
+      refused_at({.line = 5, .key = "stimulus/sines/base_period", .value = "31", .limit = "0.002 to 30 s"}));
+  EXPECT_THAT(sines("base_period: 4.999"),
+              refused_at({.line = 5,
+                          .key = "stimulus/sines/base_period",
+                          .value = "4.999",
+                          .limit = "a whole number of control periods of 0.002 s"}));
+  EXPECT_THAT(sines("orders: []"),
+              refused_at({.line = 5, .key = "stimulus/sines/orders", .limit = "at least one order"}));
+  EXPECT_THAT(sines("orders: [0, 1]"),
+              refused_at({.line = 5, .key = "stimulus/sines/orders/0", .value = "0", .limit = "at least 1"}));
+  EXPECT_THAT(sines("orders: [1, 3, 3]"),
+              refused_at({.line = 5, .key = "stimulus/sines/orders/2", .value = "3", .limit = "at least 4"}));
+  EXPECT_THAT(
+      sines("orders: [1, 1250]"),
+      refused_at({.line = 5, .key = "stimulus/sines/orders/1", .value = "1250", .limit = "below 1250"}));
   std::string many = "orders: [1";
   for (int k = 2; k <= 33; ++k) many += ", " + std::to_string(k);
-  EXPECT_THAT(sines(many + "]"), HasSubstr("more than 32 orders"));
-  EXPECT_THAT(sines("from: -1"), HasSubstr("from"));
-  EXPECT_THAT(sines("from: 10.5"), HasSubstr("end at 30.5 s"));
-  EXPECT_THAT(sines("periods: 0"), HasSubstr("1 .. 1000"));
-  EXPECT_THAT(sines("periods: 4"), HasSubstr("end at 35 s"));
-  EXPECT_THAT(refused_sines("direction: [0, 0, 1]"), HasSubstr("missing key"));
+  EXPECT_THAT(sines(many + "]"),
+              refused_at({.line = 5, .key = "stimulus/sines/orders", .limit = "at most 32 orders"}));
+  EXPECT_THAT(sines("from: -1"),
+              refused_at({.line = 5, .key = "stimulus/sines/from", .value = "-1", .limit = "at least 0"}));
+  EXPECT_THAT(
+      sines("from: 10.5"),
+      refused_at({.line = 5, .key = "stimulus/sines", .value = "30.5", .limit = "an end at 30 s or before"}));
+  EXPECT_THAT(sines("periods: 0"),
+              refused_at({.line = 5, .key = "stimulus/sines/periods", .value = "0", .limit = "1 to 1000"}));
+  EXPECT_THAT(
+      sines("periods: 4"),
+      refused_at({.line = 5, .key = "stimulus/sines", .value = "35", .limit = "an end at 30 s or before"}));
+  EXPECT_THAT(refused_sines("direction: [0, 0, 1]"),
+              refused_at({.line = 5, .key = "stimulus/sines", .limit = "the key 'amplitude'"}));
 }
 
 }  // namespace stimulus_test

@@ -10,9 +10,7 @@
 namespace armtune::internal {
 namespace trajectory_message_test {
 
-using test::refusal;
-using testing::AllOf;
-using testing::HasSubstr;
+using test::refused_at;
 
 // The joints of a UR10 in another order, and a gripper's.
 constexpr const char* kNames =
@@ -24,8 +22,10 @@ class TrajectoryMessage : public testing::Test {
   MotionPoints load(const std::string& text) const {
     return load_trajectory_message(folder_.write("moves.yaml", text), *robot_);
   }
-  std::string refused(const std::string& text) const {
-    return refusal([&] { load(text); });
+  InputError refused(const std::string& text) const {
+    const InputError error = test::input_error([&] { load(text); });
+    EXPECT_EQ(error.place().file, folder_ / "moves.yaml");
+    return error;
   }
 
   test::TemporaryFolder folder_;
@@ -93,26 +93,32 @@ TEST_F(TrajectoryMessage, IsFoundWithinGoalsAndOtherMessagesAndTakesTimesOfRos1)
 
 TEST_F(TrajectoryMessage, WhatRosWouldNotFollowIsRefusedWithItsLine) {
   const std::string zeros = "[0, 0, 0, 0, 0, 0, 0]";
-  EXPECT_THAT(refused("joint_names: [elbow_joint, elbow_joint]\n" + points("", "1")), HasSubstr("twice"));
-  EXPECT_THAT(refused("controller: {}\n"), HasSubstr("not a trajectory_msgs/JointTrajectory"));
+  EXPECT_THAT(
+      refused("joint_names: [elbow_joint, elbow_joint]\n" + points("", "1")),
+      refused_at({.line = 1, .key = "joint_names/1", .value = "elbow_joint", .limit = "each joint once"}));
+  EXPECT_THAT(refused("controller: {}\n"),
+              refused_at({.line = 1, .key = "", .limit = "a trajectory_msgs/JointTrajectory"}));
   EXPECT_THAT(refused("joint_names: [elbow_joit]\n" + points("", "1")),
-              AllOf(HasSubstr("moves.yaml:1"), HasSubstr("'shoulder_pan_joint' of ur10 is missing"),
-                    HasSubstr("elbow_joit")));
+              refused_at({.line = 1, .key = "joint_names", .limit = "a list with 'shoulder_pan_joint'"}));
   EXPECT_THAT(
       refused(kNames + points("", "1e-9") + fmt::format("- {{positions: {}, time_from_start: 0}}\n", zeros)),
-      AllOf(HasSubstr("moves.yaml:5"), HasSubstr("must rise")));
-  EXPECT_THAT(refused(kNames + points("", "-1")), HasSubstr("-1 s; it must not be negative"));
-  EXPECT_THAT(refused(kNames + points(", accelerations: " + zeros, "1")), HasSubstr("no velocities"));
+      refused_at({.line = 5, .key = "points/2/time_from_start", .value = "0", .limit = "above 1e-09 s"}));
+  EXPECT_THAT(
+      refused(kNames + points("", "-1")),
+      refused_at({.line = 4, .key = "points/1/time_from_start", .value = "-1", .limit = "0 or more"}));
+  EXPECT_THAT(refused(kNames + points(", accelerations: " + zeros, "1")),
+              refused_at({.line = 3, .key = "points/0", .limit = "velocities with accelerations"}));
   EXPECT_THAT(refused(kNames + points(", velocities: [0, 0]", "1")),
-              AllOf(HasSubstr("moves.yaml:3"), HasSubstr("velocities")));
+              refused_at({.line = 3, .key = "points/0/velocities", .value = "2", .limit = "7 numbers"}));
   const std::string one = fmt::format("points:\n- {{positions: {}, time_from_start: 0}}\n", zeros);
-  EXPECT_THAT(refused(kNames + one), HasSubstr("at least two"));
+  EXPECT_THAT(refused(kNames + one), refused_at({.line = 2, .key = "points", .limit = "at least 2 points"}));
   EXPECT_THAT(refused(kNames + one +
                       fmt::format("- {{positions: {0}, velocities: {0}, time_from_start: 1}}\n", zeros)),
-              AllOf(HasSubstr("moves.yaml:4"), HasSubstr("for all or for none")));
-  EXPECT_THAT(refused(kNames + one + "- {time_from_start: 1}\n"), HasSubstr("no positions"));
+              refused_at({.line = 4, .key = "points/1", .limit = "what the first point has"}));
+  EXPECT_THAT(refused(kNames + one + "- {time_from_start: 1}\n"),
+              refused_at({.line = 4, .key = "points/1", .limit = "a position for each joint"}));
   EXPECT_THAT(refused(kNames + one + fmt::format("- {{positions: {}}}\n", zeros)),
-              HasSubstr("time_from_start"));
+              refused_at({.line = 4, .key = "points/1", .limit = "the key 'time_from_start'"}));
 }
 
 TEST_F(TrajectoryMessage, HasNoTimesIfNoPointOrOnlyZerosGiveThem) {

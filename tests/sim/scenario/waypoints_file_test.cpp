@@ -10,7 +10,7 @@
 namespace armtune::internal {
 namespace waypoints_file_test {
 
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
 
 const std::string kCommas = "time,x,y,z\n0,-0.65,0.16,0.5\n5,-0.7,0.16,0.5\n9,-0.7,0.2,0.4\n";
@@ -48,51 +48,54 @@ TEST(WaypointsFile, UnitsBehindNamesHaveToBeTheFiles) {
   }
   const std::string path = folder.write("units.csv", "time [ms],x [mm],y [mm],z [mm]\n" + rows);
   const auto read = [&](const yaml::FileUnits& units) { return load_waypoints({path, units, {}}, false); };
-  EXPECT_THAT(
-      test::refusal([&] { read({}); }),
-      AllOf(HasSubstr("units.csv:1: column 'time [ms]' has the unit ms"), HasSubstr("units: {time: ms}")));
+  const InputError time = test::input_error([&] { read({}); });
+  EXPECT_THAT(time, refused_at({.file = path, .line = 1, .key = "time [ms]", .value = "ms"}));
+  EXPECT_THAT(time.what(), HasSubstr("units: {time: ms}"));
   yaml::FileUnits units;
   units.time = 1e-3;
-  EXPECT_THAT(test::refusal([&] { read(units); }),
-              AllOf(HasSubstr("column 'x [mm]' has the unit mm"), HasSubstr("units: {length: mm}")));
+  const InputError length = test::input_error([&] { read(units); });
+  EXPECT_THAT(length, refused_at({.file = path, .line = 1, .key = "x [mm]", .value = "mm"}));
+  EXPECT_THAT(length.what(), HasSubstr("units: {length: mm}"));
   units.length = 1e-3;
   EXPECT_LT((read(units).at(2.5e-3).position - 1e-3 * expected).norm(), 1e-15);
-  EXPECT_THAT(
-      test::refusal([&] { halfway(folder.write("speed.csv", "time [s],x,y,z,speed [m/s]\n" + rows)); }),
-      AllOf(HasSubstr("'speed [m/s]'"), HasSubstr("take the units out")));
+  const std::string speed = folder.write("speed.csv", "time [s],x,y,z,speed [m/s]\n" + rows);
+  EXPECT_THAT([&] { halfway(speed); }, refused_at({.file = speed,
+                                                   .line = 1,
+                                                   .key = "speed [m/s]",
+                                                   .value = "speed [m/s]",
+                                                   .limit = "column names without units"}));
   // What is no unit is part of the name.
-  EXPECT_THAT(test::refusal([&] { halfway(folder.write("other.csv", "time,x,y,z [up]\n" + rows)); }),
-              HasSubstr("z [up]"));
+  EXPECT_THAT([&] { halfway(folder.write("other.csv", "time,x,y,z [up]\n" + rows)); },
+              refused_at({.line = 1, .key = "z [up]", .value = "z [up]"}));
 }
 
 TEST(WaypointsFile, EmptyLinesMayStandAtTheEndAlone) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(halfway(folder.write("more.csv", kCommas + "\r\n  \n\n")),
             halfway(folder.write("commas.csv", kCommas)));
-  EXPECT_THAT(test::refusal([&] { halfway(folder.write("first.csv", "\n" + kCommas)); }),
-              HasSubstr("first.csv:1: the first line is empty"));
-  EXPECT_THAT(test::refusal([&] { halfway(folder.write("amid.csv", kCommas + "\n10,-0.7,0.2,0.4\n")); }),
-              HasSubstr("amid.csv:5"));
-  EXPECT_THAT(test::refusal([&] { halfway(folder.write("none.csv", "")); }), HasSubstr("none.csv"));
+  EXPECT_THAT([&] { halfway(folder.write("first.csv", "\n" + kCommas)); },
+              refused_at({.file = folder / "first.csv", .line = 1, .limit = "column names"}));
+  EXPECT_THAT([&] { halfway(folder.write("amid.csv", kCommas + "\n10,-0.7,0.2,0.4\n")); },
+              refused_at({.file = folder / "amid.csv", .line = 5}));
+  EXPECT_THAT([&] { halfway(folder.write("none.csv", "")); }, refused_at({.file = folder / "none.csv"}));
 }
 
 TEST(WaypointsFile, NumbersWithCommasAreNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("comma.csv", "time;x;y;z\n0;0,65;0;0\n1;0,7;0;0\n");
+  const InputError error = test::input_error([&] { halfway(path); });
   EXPECT_THAT(
-      test::refusal([&] {
-        load_waypoints({path, {}, {}}, false);
-      }),
-      AllOf(HasSubstr("comma.csv:2:"), HasSubstr("0,65"), HasSubstr("semicolons"), HasSubstr("point")));
+      error,
+      refused_at({.file = path, .line = 2, .value = "0,65", .limit = "a number with a decimal point"}));
+  EXPECT_THAT(error.what(), HasSubstr("semicolons"));
 }
 
 TEST(WaypointsFile, UnixTimeStampsAreNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("stamps.csv", "time,x,y,z\n1700000000.5,0,0,0\n1700000001,1,0,0\n");
-  EXPECT_THAT(test::refusal([&] {
-                load_waypoints({path, {}, {}}, false);
-              }),
-              AllOf(HasSubstr("stamps.csv:2:"), HasSubstr("1700000000.5"), HasSubstr("Unix")));
+  const InputError error = test::input_error([&] { halfway(path); });
+  EXPECT_THAT(error, refused_at({.file = path, .line = 2, .key = "time", .value = "1700000000.5"}));
+  EXPECT_THAT(error.what(), HasSubstr("Unix"));
 }
 
 TEST(WaypointsFile, OtherUnitsAndColumnsWithoutNamesAreSaidWhereTheFileIsNamed) {
@@ -105,19 +108,28 @@ TEST(WaypointsFile, OtherUnitsAndColumnsWithoutNamesAreSaidWhereTheFileIsNamed) 
   };
   const PositionSpline path = read(", units: {time: ms, length: mm}, columns: [x, y, z, time]");
   EXPECT_LT((path.at(2.5).position - expected).norm(), 1e-15);
-  const auto refused = [&](const std::string& keys) { return test::refusal([&] { read(keys); }); };
-  EXPECT_THAT(refused(""), AllOf(HasSubstr("robot.csv:1"), HasSubstr("columns: [time, x, y, z]")));
-  EXPECT_THAT(refused(", columns: [x, y, z]"), HasSubstr("robot.csv (with a line of names added):2"));
-  EXPECT_THAT(refused(", units: {length: feet}"), HasSubstr("'feet' is not one of: m, cm, mm, in"));
-  EXPECT_THAT(refused(", units: {angle: deg}"), AllOf(HasSubstr("'angle'"), HasSubstr("time")));
+  const auto refused = [&](const std::string& keys) { return test::input_error([&] { read(keys); }); };
+  const InputError unnamed = refused("");
+  EXPECT_THAT(unnamed, refused_at({.file = folder / "robot.csv", .line = 1, .limit = "column names"}));
+  EXPECT_THAT(unnamed.what(), HasSubstr("columns: [time, x, y, z]"));
+  EXPECT_THAT(refused(", columns: [x, y, z]"),
+              refused_at({.file = folder / "robot.csv (with a line of names added)", .line = 2}));
+  EXPECT_THAT(refused(", units: {length: feet}"), refused_at({.file = folder / "scenario.yaml",
+                                                              .line = 1,
+                                                              .key = "units/length",
+                                                              .value = "feet",
+                                                              .limit = "one of: m, cm, mm, in"}));
+  EXPECT_THAT(
+      refused(", units: {angle: deg}"),
+      refused_at({.line = 1, .key = "units/angle", .value = "angle", .limit = "the keys: time, length"}));
   folder.write("robot.csv", kCommas);
   // Names of another language are replaced.
   folder.write("robot.csv", "Zeit;X-Pos;Y-Pos;Z-Pos\n0;1;2;3\n2;4;5;6\n");
-  EXPECT_THAT(refused(""), HasSubstr("zeit"));
+  EXPECT_THAT(refused(""), refused_at({.line = 1, .key = "zeit", .value = "zeit"}));
   const PositionSpline german = read(", columns: [time, x, y, z]");
   EXPECT_EQ(german.end(), 2.0);
   EXPECT_EQ(german.at(2.0).position, Vec3(4, 5, 6));
-  EXPECT_THAT(refused(", columns: [time, x, y]"), HasSubstr("robot.csv:2"));
+  EXPECT_THAT(refused(", columns: [time, x, y]"), refused_at({.file = folder / "robot.csv", .line = 2}));
 }
 
 }  // namespace waypoints_file_test

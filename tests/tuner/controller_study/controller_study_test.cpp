@@ -15,6 +15,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/support/joint_trajectory_example.hpp"
 #include "tuner/controller_study/controller_rate.hpp"
@@ -30,11 +31,11 @@ using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
 using test::example;
 using test::kExample;
+using test::refused_at;
 
 /// The example's parameters with one text in place of another.
 std::string changed(const std::string& from, const std::string& to) {
@@ -83,7 +84,7 @@ TEST(ControllerStudy, LoadsWithTheFilesGainsItsRateAndEveryMotion) {
 TEST(ControllerStudy, EstimatesTheRotorsThatNobodyGives) {
   const test::TemporaryFolder folder;
   ControllerStudyInputs inputs = example();
-  inputs.robot = ARMTUNE_SOURCE_DIR "/examples/ur5e/ur5e.urdf";
+  inputs.robot = test::source_dir() + "/examples/ur5e/ur5e.urdf";
   const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
   EXPECT_THAT(files.written, Contains("robot.yaml"));
   EXPECT_THAT(files.notes, Contains(HasSubstr("rotor inertia")));
@@ -93,17 +94,17 @@ TEST(ControllerStudy, EstimatesTheRotorsThatNobodyGives) {
 // How stiff an arm may become in a contact is the user's to say.
 TEST(ControllerStudy, TunesTheStiffnessOfAnImpedanceControllerUpToTheGivenBoundAlone) {
   const test::TemporaryFolder folder;
-  const std::string files_of = ARMTUNE_SOURCE_DIR "/examples/joint_impedance/";
+  const std::string files_of = test::source_dir() + "/examples/joint_impedance/";
   ControllerStudyInputs inputs{"panda", files_of + "controllers.yaml", "", {files_of + "moves.csv"}};
   const ControllerStudyFiles damping = write_controller_study(inputs, folder / "damping").value();
-  EXPECT_THAT(damping.notes, ElementsAre(HasSubstr("--max-stiffness")));
+  EXPECT_THAT(damping.notes, ElementsAre(HasSubstr("1000 Hz"), HasSubstr("--max-stiffness")));
   const Study without = load_study(damping.study);
   ASSERT_EQ(without.space.free.size(), 7U) << "the damping alone";
   EXPECT_EQ(without.space.free.front().entry.name, "joint_impedance_d/panda_joint1");
 
   inputs.max_stiffness = {1000.0};
   const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
-  EXPECT_THAT(files.notes, IsEmpty());
+  EXPECT_THAT(files.notes, ElementsAre(HasSubstr("1000 Hz")));
   const Study study = load_study(files.study);
   EXPECT_EQ(study.scenarios.front().control_period, 0.001);
   EXPECT_EQ(study.space.start.controller, "joint_impedance");
@@ -145,7 +146,7 @@ TEST(ControllerStudy, SaysNothingOfAMotionWithVelocities) {
       "- {positions: [0, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 0}\n"
       "- {positions: [1, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 2}\n")};
   const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
-  EXPECT_THAT(files.notes, ElementsAre(HasSubstr("ROS 2 Jazzy")));
+  EXPECT_THAT(files.notes, ElementsAre(HasSubstr("500 Hz"), HasSubstr("ROS 2 Jazzy")));
   EXPECT_EQ(load_study(files.study).scenarios[0].planned->at(1.0).position[0], 0.5);
 }
 
@@ -188,20 +189,24 @@ TEST(ControllerStudy, TakesTheRateThatIsGivenOverTheFiles) {
   const test::TemporaryFolder folder;
   ControllerStudyInputs inputs = example();
   inputs.rate = 250.0;
-  EXPECT_EQ(
-      load_study(write_controller_study(inputs, folder / "a").value().study).scenarios[0].control_period,
-      0.004);
+  const ControllerStudyFiles given = write_controller_study(inputs, folder / "a").value();
+  EXPECT_EQ(load_study(given.study).scenarios[0].control_period, 0.004);
+  EXPECT_THAT(given.notes, testing::Not(Contains(HasSubstr("control rate")))) << "no other rate counts";
   inputs.rate = 0.0;
   inputs.controllers = folder.write("none.yaml", changed("update_rate: 500", "use_sim_time: false"));
   EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "b"); }),
               AllOf(HasSubstr("none.yaml"), HasSubstr("--rate HZ")));
 }
 
+/// The rate that is read of a file.
+ControllerRate rate_in(const std::string& text) {
+  return controller_rate(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml")
+      .value_or(ControllerRate{std::numeric_limits<double>::quiet_NaN(), "none"});
+}
+
 /// The rate that is read of the example's parameters with one text in place of another; NaN: none.
 double rate_of(const std::string& from, const std::string& to) {
-  const std::string text = changed(from, to);
-  return controller_rate(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml")
-      .value_or(std::numeric_limits<double>::quiet_NaN());
+  return rate_in(changed(from, to)).hertz;
 }
 
 TEST(ControllerRate, IsTheControllersOwnThenThatOfItsManagerAndOfNoOtherNode) {
@@ -216,8 +221,81 @@ TEST(ControllerRate, IsTheControllersOwnThenThatOfItsManagerAndOfNoOtherNode) {
   EXPECT_EQ(rate_of("controller_manager:", "/left/controller_manager:"), 500.0);
   EXPECT_EQ(rate_of("controller_manager:", "\"/**\":"), 500.0);
   for (const char* wrong : {"5", "0", "-1", "fast", "1e9"})
-    EXPECT_THAT(test::refusal([&] { rate_of("update_rate: 500", std::string("update_rate: ") + wrong); }),
-                AllOf(HasSubstr("f.yaml:3"), HasSubstr(wrong), HasSubstr("10 to 10000 Hz")));
+    EXPECT_THAT([&] { rate_of("update_rate: 500", std::string("update_rate: ") + wrong); },
+                refused_at({.file = "f.yaml",
+                            .line = 3,
+                            .key = "controller_manager/update_rate",
+                            .value = wrong,
+                            .limit = "10 to 10000 Hz"}));
+}
+
+// As in the driver of Universal Robots for ROS 1, and in the template of ros_control_boilerplate.
+TEST(ControllerRate, OfRos1IsThatOfTheControlLoop) {
+  const std::string arm =
+      "arm:\n  type: effort_controllers/JointTrajectoryController\n  gains: {j1: {p: 1.0}}\n";
+  const auto found = [&arm](const std::string& more) { return rate_in(arm + more); };
+  EXPECT_EQ(found("hardware_control_loop:\n   loop_hz: &loop_hz 125\n").hertz, 125.0);
+  EXPECT_EQ(found("hardware_control_loop: {loop_hz: 125}\n").key, "hardware_control_loop/loop_hz");
+  EXPECT_EQ(found("left: {generic_hw_control_loop: {loop_hz: 300}}\n").hertz, 300.0);
+  EXPECT_EQ(found("hardware_interface: {loop_hz: 300, joints: [j1]}\n").hertz, 300.0);
+  EXPECT_TRUE(std::isnan(found("joint_state_controller: {publish_rate: 50, loop_hz: 50}\n").hertz));
+  EXPECT_EQ(found("controller_manager: {update_rate: 250}\nhardware_control_loop: {loop_hz: 125}\n").hertz,
+            250.0);
+  EXPECT_THAT([&] { found("hardware_control_loop: {loop_hz: 2}\n"); },
+              refused_at({.line = 4, .key = "hardware_control_loop/loop_hz", .value = "2"}));
+}
+
+TEST(ControllerStudy, SaysWhichRateItReadAndWhichControllerItChose) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.controllers = folder.write(
+      "more.yaml",
+      changed("update_rate: 500\n",
+              "update_rate: 500\n    joint_state_broadcaster: {type: "
+              "joint_state_broadcaster/JointStateBroadcaster}\n") +
+          "gripper:\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: {finger: {p: 9.0}}\n");
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "a").value();
+  EXPECT_THAT(files.notes, Contains(AllOf(HasSubstr("500 Hz"), HasSubstr("controller_manager/update_rate"))));
+  EXPECT_THAT(files.notes, Contains(AllOf(HasSubstr("arm_controller is tuned"), HasSubstr("gripper"),
+                                          HasSubstr("joint_state_broadcaster"))));
+  const Study study = load_study(files.study);
+  EXPECT_EQ(own(study.space.start, "jtc_p")[0], 2000.0);
+  // The same controller gets the tuned gains.
+  Gains tuned = study.space.start;
+  own(tuned, "jtc_p")[0] = 1234.5;
+  std::filesystem::create_directory(folder / "run");
+  EXPECT_EQ(write_controllers(study, tuned, folder / "run"), "more.yaml");
+  std::string expected = test::read_text(inputs.controllers);
+  expected.replace(expected.find("p: 2000.0"), 9, "p: 1234.5");
+  EXPECT_EQ(test::read_text(folder / "run/more.yaml"), expected);
+}
+
+// The desired positions of such a controller are those of the points alone.
+TEST(ControllerStudy, OfAControllerThatDoesNotInterpolateJumpsFromPointToPoint) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.controllers = folder.write(
+      "none.yaml", changed("    gains:   # set by hand", "    interpolation_method: none\n    gains:"));
+  EXPECT_THAT([&] { write_controller_study(inputs, folder / "none"); },
+              refused_at({.file = HasSubstr("moves.csv"), .key = "velocities"}))
+      << "ROS reads a velocity of each point";
+  inputs.trajectories = {folder.write(
+      "steps.yaml",
+      "joint_names: [shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, "
+      "wrist_3_joint]\npoints:\n"
+      "- {positions: [0, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 0}\n"
+      "- {positions: [0.01, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 0.5}\n"
+      "- {positions: [0.02, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 1}\n")};
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
+  EXPECT_THAT(files.notes, Contains(HasSubstr("interpolation_method: none")));
+  const Study study = load_study(files.study);
+  const Scenario& scenario = study.scenarios.front();
+  EXPECT_EQ(scenario.start_position[0], 0.0);
+  EXPECT_EQ(scenario.planned->at(0.25).position[0], 0.01);
+  EXPECT_EQ(scenario.planned->at(0.75).position[0], 0.02);
+  const RolloutResult result = Rollout(scenario, Stepper::kMidpoint, Engine::kNative).run(study.space.start);
+  EXPECT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+  EXPECT_GE(result.metrics[Metric::kJointErrorMax], 0.0099) << "the step of the desired position";
 }
 
 // Industrial arms: the drives have the damping.
@@ -293,9 +371,9 @@ TEST(ControllerStudy, ConstrainsWhatTheArmCanTouch) {
   const test::TemporaryFolder folder;
   ControllerStudyInputs inputs = example();
   inputs.robot = folder.write(
-      "arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
-                  "/sim/robots/ur5e.urdf\ntip_link: tool0\nrotor_inertia: estimated\n"
-                  "cell: {floor: -0.5, parts: [{name: wall, box: [0.1, 2, 2], center: [-2, 0, 0]}]}\n");
+      "arm.yaml", "urdf: " + test::source_dir() +
+                      "/sim/robots/ur5e.urdf\ntip_link: tool0\nrotor_inertia: estimated\n"
+                      "cell: {floor: -0.5, parts: [{name: wall, box: [0.1, 2, 2], center: [-2, 0, 0]}]}\n");
   const Study study = load_study(write_controller_study(inputs, folder / "made").value().study);
   for (const Metric metric : {Metric::kClearanceSelf, Metric::kClearanceCell, Metric::kClearanceFloor,
                               Metric::kJointPositionMinMargin})

@@ -8,8 +8,11 @@
 #include <numbers>
 
 #include "core/control/laws/controller_kind.hpp"
+#include "core/robot/kinematics.hpp"
 #include "sim/controller_files/controller_gains.hpp"
+#include "sim/rollout/rollout.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/support/joint_trajectory_example.hpp"
 #include "tuner/controller_study/controller_in_file.hpp"
@@ -57,15 +60,15 @@ TEST(OwnControllerStudy, StartsWithGainsOfItsOwnWithoutAParameterFile) {
   EXPECT_THAT(write_controller_study(inputs, folder / "slow").value().notes,
               testing::Not(Contains(HasSubstr("too fast"))));
   inputs.robot =
-      folder.write("arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
-                               "/examples/ur5e/ur5e.urdf\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
-                               "drive_velocity_gain: [400, 400, 400, 400, 400, 400]\n");
+      folder.write("arm.yaml", "urdf: " + test::source_dir() +
+                                   "/examples/ur5e/ur5e.urdf\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
+                                   "drive_velocity_gain: [400, 400, 400, 400, 400, 400]\n");
   EXPECT_THAT(write_controller_study(inputs, folder / "stiff").value().notes,
               Contains(AllOf(HasSubstr("too fast for its rate of 1040 Hz"), HasSubstr("velocity_gain"))));
-  inputs.robot =
-      folder.write("fast.yaml", "urdf: " ARMTUNE_SOURCE_DIR
-                                "/examples/ur5e/ur5e.urdf\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
-                                "drives: {velocity_gain: 400, rate: 26000}\n");
+  inputs.robot = folder.write("fast.yaml",
+                              "urdf: " + test::source_dir() +
+                                  "/examples/ur5e/ur5e.urdf\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
+                                  "drives: {velocity_gain: 400, rate: 26000}\n");
   EXPECT_THAT(write_controller_study(inputs, folder / "fast").value().notes,
               testing::Not(Contains(HasSubstr("too fast"))))
       << "at the rate of its drives";
@@ -139,6 +142,92 @@ TEST(OwnControllerStudy, TunesDampingRatiosThatAMapBinds) {
   EXPECT_EQ(study.space.free[0].entry.name, "joint_impedance_damping_ratio/shoulder_pan_joint");
   EXPECT_DOUBLE_EQ(study.space.free[0].lower, 0.14);
   EXPECT_DOUBLE_EQ(study.space.free[4].upper, 2.5);
+}
+
+/// Six numbers of a Cartesian impedance controller, and a map that binds them.
+std::string write_cartesian_map(const test::TemporaryFolder& folder) {
+  folder.write("own.yaml",
+               "stiffness: {translation: [900.0, 900.0, 900.0], rotation: {x: 30.0, y: 30.0, z: 30.0}}\n"
+               "damping: [0.7, 0.7, 0.7, 0.7, 0.7, 0.7]\n");
+  std::string map = "controller: cartesian_impedance\nfile: own.yaml\nrate: 1000\nmap:\n";
+  const std::vector<std::string> axes = {"x", "y", "z"};
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    map += fmt::format("  stiffness/translation/{}: cartesian_impedance_k/{}\n", k, axes[k]);
+    map +=
+        fmt::format("  stiffness/rotation/{0}: {{gain: cartesian_impedance_k/r{0}, factor: 2}}\n", axes[k]);
+  }
+  return folder.write("map.yaml", map + "  damping: cartesian_impedance_damping_ratio\n");
+}
+
+// Such a controller follows the tool's path itself. The arm rests at the start before the tool moves.
+TEST(OwnControllerStudy, OfCartesianImpedanceFollowsWaypointsOfTheTool) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs{"fr3", write_cartesian_map(folder), "", {}};
+  inputs.trajectories = {folder.write("path.csv",
+                                      "time,x,y,z,qw,qx,qy,qz\n0,0.5,0,0.4,0,1,0,0\n2,0.5,0.2,0.4,0,1,0,0\n"
+                                      "4,0.5,0,0.4,0,1,0,0\n")};
+  inputs.max_stiffness = {3000.0, 200.0};
+  inputs.speed = 0.5;
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
+  EXPECT_THAT(files.written,
+              UnorderedElementsAre("study.yaml", "path.yaml", "path_path.csv", "path_start.csv"));
+  const Study study = load_study(files.study);
+  const Scenario& scenario = study.scenarios.front();
+  EXPECT_EQ(scenario.control_period, 0.001);
+  EXPECT_TRUE(scenario.has_task());
+  EXPECT_EQ(scenario.mask, TaskMask::kPose);
+  Poses poses;
+  forward_kinematics(scenario.robot->chain, scenario.start_position, poses);
+  EXPECT_LT((poses.p_0T - Vec3(0.5, 0.0, 0.4)).norm(), 1e-3);
+  EXPECT_LT((scenario.path.at(1.2 + 4.0).position - Vec3(0.5, 0.2, 0.4)).norm(), 1e-9) << "at half the speed";
+  EXPECT_EQ(study.space.start.controller, "cartesian_impedance");
+  EXPECT_EQ(own(study.space.start, "cartesian_impedance_k")[3], 60.0);
+  ASSERT_EQ(study.space.free.size(), 12U) << "six of the stiffness, six of the damping";
+  EXPECT_EQ(study.space.free[0].entry.name, "cartesian_impedance_k/x");
+  EXPECT_EQ(study.space.free[0].upper, 3000.0);
+  EXPECT_EQ(study.space.free[5].upper, 200.0);
+
+  const RolloutResult result = Rollout(scenario, Stepper::kMidpoint, Engine::kNative).run(study.space.start);
+  EXPECT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+  EXPECT_LT(result.metrics[Metric::kPositionMax], 0.05) << "v D / K, and sagging by no more than that";
+  EXPECT_GT(result.metrics[Metric::kPositionMax], 0.0);
+
+  Gains tuned = study.space.start;
+  own(tuned, "cartesian_impedance_k")[4] = 90.0;
+  std::filesystem::create_directory(folder / "run");
+  EXPECT_EQ(write_controllers(study, tuned, folder / "run"), "own.yaml");
+  EXPECT_THAT(test::read_text(folder / "run/own.yaml"), HasSubstr("rotation: {x: 30.0, y: 45.0, z: 30.0}"));
+
+  inputs.max_stiffness = {3000.0};
+  EXPECT_THAT([&] { write_controller_study(inputs, folder / "none"); },
+              test::refused_at({.value = "1", .limit = "2 or 6"}));
+  inputs.max_stiffness = {800.0, 200.0};
+  EXPECT_THAT([&] { write_controller_study(inputs, folder / "none"); },
+              test::refused_at({.file = folder / "own.yaml", .value = "900", .limit = "at most 800"}));
+}
+
+TEST(OwnControllerStudy, OfAPathWithoutOrientationsLeavesTheGainsOfRotations) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs{"fr3", write_cartesian_map(folder), "", {}};
+  inputs.trajectories = {folder.write("path.csv", "time,x,y,z\n0,0.5,0,0.4\n2,0.5,0.2,0.4\n4,0.5,0,0.4\n")};
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
+  const Study study = load_study(files.study);
+  EXPECT_EQ(study.scenarios.front().mask, TaskMask::kPosition);
+  ASSERT_EQ(study.space.free.size(), 3U) << "the damping of translations";
+  EXPECT_EQ(study.space.free[2].entry.name, "cartesian_impedance_damping_ratio/z");
+  EXPECT_THAT(files.notes, Contains(HasSubstr("--max-stiffness")));
+  // A motion of the joints says nothing about the gains of such a controller.
+  inputs.trajectories = example().trajectories;
+  EXPECT_THAT([&] { write_controller_study(inputs, folder / "none"); },
+              test::refused_at({.file = example().trajectories.front()}));
+  // Without a file, the start gains follow from the arm.
+  inputs.controllers.clear();
+  inputs.kind = "cartesian_impedance";
+  inputs.rate = 1000.0;
+  inputs.trajectories = {folder / "path.csv"};
+  const Study own_start = load_study(write_controller_study(inputs, folder / "own").value().study);
+  EXPECT_EQ(own_start.space.start.controller, "cartesian_impedance");
+  EXPECT_EQ(own_start.space.free.size(), 3U);
 }
 
 TEST(StudyMotions, MotionsInDegreesAreReadAsTheyAreSaidToBe) {

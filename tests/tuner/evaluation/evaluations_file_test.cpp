@@ -121,8 +121,8 @@ TEST_F(Journalled, ReadsBackToTheBit) {
 TEST_F(Journalled, NeverWritesOverAnotherJournal) {
   files_.write("evaluations.csv", "of another run\n");
   const Objective objective = this->objective();
-  EXPECT_THAT(test::refusal([&] { EvaluationsFile(files_ / "evaluations.csv", study_); }),
-              testing::HasSubstr(files_ / "evaluations.csv"));
+  EXPECT_THAT([&] { EvaluationsFile(files_ / "evaluations.csv", study_); },
+              test::refused_at({.file = files_ / "evaluations.csv"}));
   EXPECT_EQ(test::read_text(files_ / "evaluations.csv"), "of another run\n");
 }
 

@@ -9,7 +9,7 @@
 namespace armtune::internal {
 namespace evaluations_reader_test {
 
-using testing::HasSubstr;
+using test::refused_at;
 
 class EvaluationsReader : public ::testing::Test {
  protected:
@@ -45,22 +45,24 @@ TEST_F(EvaluationsReader, GivesBackWhatWasWritten) {
 }
 
 TEST_F(EvaluationsReader, RefusesWhatIsNoneOfItsStudy) {
-  EXPECT_THAT(test::refusal([&] { read_evaluations(CsvTable::read(files_ / "none.csv"), study_); }),
-              HasSubstr("none.csv: no such file"));
+  const auto read = [this](const std::string& path) {
+    return test::input_error([&] { read_evaluations(CsvTable::read(path), study_); });
+  };
+  EXPECT_THAT(read(files_ / "none.csv"), refused_at({.file = files_ / "none.csv", .line = 0}));
   const std::string other = files_.write("other.csv", "evaluation,objective,violation\n0,1,0\n");
-  EXPECT_THAT(test::refusal([&] { read_evaluations(CsvTable::read(other), study_); }),
-              testing::AllOf(HasSubstr("no column 'task_space_gains_p/rx'")));
+  EXPECT_THAT(read(other), refused_at({.file = other,
+                                       .line = 1,
+                                       .key = "task_space_gains_p/rx",
+                                       .limit = "a column 'task_space_gains_p/rx'"}));
   std::string text = test::read_text(written());
   const std::string torn = files_.write("torn.csv", text.substr(0, text.rfind(',')));
   EXPECT_EQ(read_evaluations(CsvTable::read(torn), study_).size(), 2U)
       << "killed while it wrote the third row";
   const std::string cut = files_.write("cut.csv", text.substr(0, text.rfind(',')) + "\n");
-  EXPECT_THAT(test::refusal([&] { read_evaluations(CsvTable::read(cut), study_); }),
-              HasSubstr("cut.csv:4: "));
+  EXPECT_THAT(read(cut), refused_at({.file = cut, .line = 4}));
   text.replace(text.find("\n0,search,simbody,1,") + 18, 1, "x");
   const std::string wrong = files_.write("wrong.csv", text);
-  EXPECT_THAT(test::refusal([&] { read_evaluations(CsvTable::read(wrong), study_); }),
-              HasSubstr("wrong.csv:2: 'x' in column objective is not a number"));
+  EXPECT_THAT(read(wrong), refused_at({.file = wrong, .line = 2, .key = "objective", .value = "x"}));
 }
 
 }  // namespace evaluations_reader_test

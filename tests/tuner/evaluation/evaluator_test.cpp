@@ -13,7 +13,7 @@
 namespace armtune::internal {
 namespace evaluator_test {
 
-using testing::HasSubstr;
+using test::refused_at;
 
 class Recall : public testing::Test {
  protected:
@@ -74,14 +74,15 @@ TEST_F(Recall, AnotherPointThanRecordedIsRefused) {
   }
   const auto journal = resume();
   Evaluator evaluator(study_, workers, stop_, journal.get());
-  EXPECT_THAT(test::refusal([&] {
-                next(evaluator, "search", {{0.25, std::nextafter(0.75, 1.0)}});
-              }),
-              HasSubstr("evaluation 0 differs from the journal"));
-  EXPECT_THAT(test::refusal([&] {
-                next(evaluator, "global", {{0.25, 0.75}});
-              }),
-              HasSubstr("evaluation 0 has phase global, but phase search in the journal"));
+  const auto another_point = [&] { next(evaluator, "search", {{0.25, std::nextafter(0.75, 1.0)}}); };
+  EXPECT_THAT(
+      another_point,
+      refused_at(
+          {.file = study_.source, .key = "evaluation 0", .value = "", .limit = "the point in the journal"}));
+  const auto another_phase = [&] { next(evaluator, "global", {{0.25, 0.75}}); };
+  EXPECT_THAT(
+      another_phase,
+      refused_at({.file = study_.source, .key = "evaluation 0", .value = "global", .limit = "search"}));
 }
 
 TEST_F(Recall, TheTimeIsUpWhereItWas) {

@@ -16,6 +16,7 @@
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/robot_writer.hpp"
 #include "tests/core/support/arms.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/endurance/endurance.hpp"
 #include "tuner/evaluation/simulate_points.hpp"
@@ -29,6 +30,7 @@
 namespace armtune::internal {
 namespace first_task_test {
 
+using test::refused_at;
 using testing::HasSubstr;
 
 /// Six joints as vendors publish them: light wrists, and no word about rotors.
@@ -95,8 +97,9 @@ TEST(FirstTask, ARobotFileThatCannotBeAddedToIsNamed) {
   const test::TemporaryFolder folder;
   folder.write("arm.urdf", light_wrists());
   const std::string robot = folder.write("arm.yaml", "{urdf: arm.urdf, tool: {xyz: [0, 0, 0.1]}}\n");
-  EXPECT_THAT(test::refusal([&] { find_first_task(robot, {}); }),
-              testing::AllOf(HasSubstr(robot), HasSubstr("rotor_inertia: estimated")));
+  EXPECT_THAT(
+      [&] { find_first_task(robot, {}); },
+      refused_at({.file = robot, .line = 0, .key = "rotor_inertia", .limit = "the key 'rotor_inertia'"}));
 }
 
 TEST(FirstTask, RotorsThatAreSaidToBeZeroStayZero) {
@@ -113,9 +116,9 @@ TEST(FirstTask, InTheCellOfARobotFileItsStudyCanBeLoaded) {
   const test::TemporaryFolder folder;
   const std::string robot = folder.write(
       "arm.yaml",
-      "urdf: " ARMTUNE_SOURCE_DIR
-      "/sim/robots/panda.urdf\ntip_link: tool0\nrotor_inertia: [0.3, 0.3, 0.3, 0.3, 0.1, 0.1, 0.1]\n"
-      "cell: {parts: [{name: wall, box: [0.1, 2, 2], center: [-1, 0, 0]}]}\n");
+      "urdf: " + test::source_dir() +
+          "/sim/robots/panda.urdf\ntip_link: tool0\nrotor_inertia: [0.3, 0.3, 0.3, 0.3, 0.1, 0.1, 0.1]\n"
+          "cell: {parts: [{name: wall, box: [0.1, 2, 2], center: [-1, 0, 0]}]}\n");
   const FirstTask found = find_first_task(robot, {});
   write_first_task(found, folder / "task");
   const Study study = load_study(folder / "task/study.yaml");
@@ -124,7 +127,8 @@ TEST(FirstTask, InTheCellOfARobotFileItsStudyCanBeLoaded) {
   EXPECT_FALSE(study.scenarios[0].clearance->has(Clearance::kFloor)) << "the cell has none";
   TaskOptions floor;
   floor.floor = 0.1;
-  EXPECT_THAT(test::refusal([&] { find_first_task(robot, floor); }), HasSubstr("leave --floor out"));
+  EXPECT_THAT([&] { find_first_task(robot, floor); },
+              refused_at({.file = robot, .key = "cell", .value = "0.1", .limit = "no --floor"}));
 }
 
 // A search that begins with them can then only end with gains that keep them.
@@ -184,7 +188,9 @@ TEST(FirstTask, AnArmThatCannotStayAboveItsBaseHasNoFloorUnlessItIsGiven) {
   EXPECT_TRUE(without.task.without_floor);
   TaskOptions options;
   options.floor = 0.0;
-  EXPECT_THAT(test::refusal([&] { find_first_task(robot, options, 2); }), HasSubstr("above the floor"));
+  const InputError error = test::input_error([&] { find_first_task(robot, options, 2); });
+  EXPECT_THAT(error, refused_at({.file = testing::StartsWith(folder.path())}));
+  EXPECT_THAT(error.what(), HasSubstr("above the floor"));
   options.floor = -3.0;
   EXPECT_FALSE(find_first_task(robot, options, 2).task.without_floor);
 }
@@ -216,7 +222,9 @@ TEST(FirstTask, WhatStandsInTheWayIsSaid) {
   for (JointInfo& joint : weak.joints) joint.limits.effort = 1.0;
   const test::TemporaryFolder folder;
   const std::string urdf = folder.write("arm.urdf", urdf_text(weak));
-  EXPECT_THAT(test::refusal([&] { find_first_task(urdf, {}); }), HasSubstr("to hold the arm"));
+  const InputError error = test::input_error([&] { find_first_task(urdf, {}); });
+  EXPECT_THAT(error, refused_at({.file = urdf}));
+  EXPECT_THAT(error.what(), HasSubstr("to hold the arm"));
 }
 
 }  // namespace first_task_test

@@ -7,23 +7,41 @@
 
 #include "tests/sim/support/files.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/run_record.hpp"
 #include "tuner/verdict/verdict.hpp"
 
 namespace armtune::internal {
 namespace gains_origin_test {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Key;
 using testing::Not;
 using testing::Pair;
 
+RunRecord tuning() {
+  RunRecord run;
+  run.kind = RunKind::kTune;
+  run.command = "armtune tune mine";
+  run.date = "2026-11-25";
+  run.seed = 7;
+  run.workers = 2;
+  SearchFacts& search = run.search.emplace();
+  search.study = "mine.yaml";
+  search.start = "published";
+  search.engine = Engine::kNative;
+  search.evaluations = 123;
+  run.tuned = {true, 0.25, ""};
+  run.versions = {{"eigen", "3.4.0"}, {"armtune", "0.1.0"}};
+  run.arithmetic = {"baseline", "fnv1a-0"};
+  run.inputs = {{"arm.urdf", "fnv1a-1", ""}, {"b/c.yaml", "fnv1a-2", "inputs/01_c.yaml"}};
+  return run;
+}
+
 TEST(GainsOrigin, OfARunIsWhatItsFilesSay) {
   const test::TemporaryFolder run;
-  run.write(
-      "run.yaml",
-      "command: \"armtune tune mine\"\ndate: \"2026-11-25\"\nseed: 7\nworkers: 2\nstudy: \"mine.yaml\"\n"
-      "versions:\n  armtune: \"0.1.0\"\ninputs:\n  \"arm.urdf\": fnv1a-1\n  \"b/c.yaml\": fnv1a-2\n");
+  run.write(kRunRecord, run_record_json(tuning()));
   run.write(
       "errors.csv",
       "scenario,status,joint_velocity/max_ratio,joint_velocity/max_ratio_joint,joint_position/min_margin\n"
@@ -38,6 +56,13 @@ TEST(GainsOrigin, OfARunIsWhatItsFilesSay) {
   EXPECT_THAT(origin, Contains(Pair("study", "mine.yaml")));
   EXPECT_THAT(origin, Contains(Pair("seed", "7")));
   EXPECT_THAT(origin, Contains(Pair("version", "0.1.0")));
+  EXPECT_THAT(origin, Contains(Pair("date", "2026-11-25")));
+  EXPECT_THAT(origin, Contains(Pair("start gains", "published")));
+  EXPECT_THAT(origin, Contains(Pair("engine of the search", "native")));
+  EXPECT_THAT(origin, Contains(Pair("evaluations", "123")));
+  EXPECT_THAT(origin, Contains(Pair("objective", "0.25")));
+  EXPECT_THAT(origin, Contains(Pair("feasible", "true")));
+  EXPECT_THAT(origin, Contains(Pair("arithmetic", "fnv1a-0")));
   EXPECT_THAT(origin, Contains(Pair("input arm.urdf", "fnv1a-1")));
   EXPECT_THAT(origin, Contains(Pair("input b/c.yaml", "fnv1a-2")));
   // The worst: the largest of what is used of a limit, the least of the way to one.
@@ -60,7 +85,7 @@ TEST(GainsOrigin, OfARunIsWhatItsFilesSay) {
 
 TEST(GainsOrigin, SaysWhichSimulationChecksFailed) {
   const test::TemporaryFolder run;
-  run.write("run.yaml", "command: \"armtune tune mine\"\n");
+  run.write(kRunRecord, run_record_json(tuning()));
   EXPECT_THAT(origin_of_run(run.path()), Contains(Pair("simulation checks", "not made")));
   SimulationVerdict verdict;
   for (const CheckKind kind : {CheckKind::kVelocityLimit, CheckKind::kYield, CheckKind::kEndurance})
@@ -74,6 +99,36 @@ TEST(GainsOrigin, SaysWhichSimulationChecksFailed) {
   EXPECT_EQ(failed_checks(run.path()), "yield, endurance");
   EXPECT_THAT(origin_of_run(run.path(), false), Not(Contains(Key("simulation checks"))))
       << "the run's checks are of other gains";
+}
+
+TEST(GainsOrigin, TellsNoFiguresOfGainsThatWereChangedAfterTheRun) {
+  const test::TemporaryFolder run;
+  const std::string gains = run.write("gains.yaml", "a: 1\n");
+  RunRecord record = tuning();
+  record.tuned->gains_hash = hash_of_file(gains);
+  run.write(kRunRecord, run_record_json(record));
+  EXPECT_THAT(origin_of_run(run.path()), AllOf(Contains(Key("objective")), Not(Contains(Key("warning")))));
+  run.write("gains.yaml", "a: 2\n");
+  const auto changed = origin_of_run(run.path());
+  EXPECT_THAT(changed, AllOf(Contains(Key("warning")), Contains(Pair("command", "armtune tune mine"))));
+  for (const char* figure : {"objective", "feasible", "simulation checks", "limits"})
+    EXPECT_THAT(changed, Not(Contains(Key(figure)))) << figure;
+  // The same for gains that `simulate` wrote.
+  record.search.reset();
+  record.tuned.reset();
+  record.simulation = {Stepper::kMidpoint, Engine::kSimbody, "fnv1a-of other gains"};
+  run.write(kRunRecord, run_record_json(record));
+  EXPECT_THAT(origin_of_run(run.path()),
+              AllOf(Contains(Key("warning")), Contains(Pair("engine", "simbody"))));
+}
+
+TEST(GainsOrigin, AFolderOfARunIsOneWithARecordAndAStudy) {
+  const test::TemporaryFolder run;
+  run.write("study.yaml", "");
+  run.write(kOldRunRecord, "");
+  EXPECT_EQ(run_above(run / "start"), "") << "of an older armtune";
+  run.write(kRunRecord, "");
+  EXPECT_EQ(run_above(run / "start"), run.path());
 }
 
 TEST(GainsOrigin, OfAFolderWithGainsAloneIsEmpty) {

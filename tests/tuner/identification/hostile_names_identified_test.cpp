@@ -17,7 +17,7 @@
 #include "tuner/gains/gains_formats.hpp"
 #include "tuner/identification/excitation.hpp"
 #include "tuner/identification/identification_files.hpp"
-#include "tuner/run/run_folder.hpp"
+#include "tuner/run/run_record.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
@@ -106,23 +106,32 @@ class HostileNames : public testing::Test {
   int read_ = 0;
 };
 
-TEST_F(HostileNames, InRunYaml) {
-  Provenance p;
-  p.command = "armtune";
-  for (std::size_t i = 0; i < texts_.size(); ++i) {
-    p.extra.emplace_back("torque_not_explained/" + texts_[i], texts_[i]);
-    p.inputs.push_back("folder/" + texts_[i]);
-    p.copies.emplace_back("folder/" + texts_[i], fmt::format("inputs/{}", i));
-    p.command += " " + texts_[i];
+TEST_F(HostileNames, InARunsRecord) {
+  RunRecord run;
+  run.kind = RunKind::kIdentify;
+  run.command = "armtune";
+  IdentificationFacts& found = run.identification.emplace();
+  for (const std::string& text : texts_) {
+    found.torque.push_back({text, 1.0, 0.1, {}, {}});
+    found.accepted_although.push_back(text);
+    run.inputs.push_back({"folder/" + text, text, "inputs/" + text});
+    run.command += " " + text;
   }
-  const yaml::Node root = read(run_yaml(p));
-  EXPECT_EQ(root.find("command")->as_string(), p.command);
-  for (std::size_t i = 0; i < texts_.size(); ++i) {
-    const yaml::Node* value = root.find("torque_not_explained/" + texts_[i]);
-    ASSERT_NE(value, nullptr) << testing::PrintToString(texts_[i]);
-    EXPECT_EQ(value->as_string(), texts_[i]);
-    ASSERT_NE(root.find("inputs")->find("folder/" + texts_[i]), nullptr) << testing::PrintToString(texts_[i]);
-  }
+  const std::string json = run_record_json(run);
+  EXPECT_EQ(parse_run_record(json, "run.json"), run);
+  // Python's own reader finds the same texts.
+  if (std::system("python3 -c '' > /dev/null 2>&1") != 0) return;
+  const std::string file = folder_.write("run.json", json);
+  const std::string script = folder_.write("texts.py",
+                                           "import json, sys\n"
+                                           "run = json.load(open(sys.argv[1], 'rb'))\n"
+                                           "for text in run['identification']['accepted_although']:\n"
+                                           "    print(text.encode().hex())\n");
+  const std::string out = folder_ / "texts.txt";
+  ASSERT_EQ(std::system(fmt::format("python3 {} {} > {}", script, file, out).c_str()), 0);
+  std::string expected;
+  for (const std::string& text : texts_) expected += hex(text) + "\n";
+  EXPECT_EQ(test::read_text(out), expected);
 }
 
 TEST_F(HostileNames, InCommentsOfGains) {

@@ -24,6 +24,7 @@ namespace identify_refusals_test {
 using test::differing_arm;
 using test::Identify;
 using test::kNever;
+using test::refused_at;
 using test::true_theta;
 
 TEST_F(Identify, AVelocityThatIsNotThePositionsDerivativeIsRefused) {
@@ -31,9 +32,10 @@ TEST_F(Identify, AVelocityThatIsNotThePositionsDerivativeIsRefused) {
   ExcitationLog wrong = simulate_excitation(scenario, exciting_, {}, kNever);
   for (LogSample& sample : wrong.samples) sample.qd[2] *= -1.0;
   const std::string path = folder_.write("log.csv", log_csv(arm_, wrong));
-  EXPECT_THAT(
-      test::refusal([&] { identified({path}); }),
-      testing::AllOf(testing::HasSubstr("velocity of elbow_joint is -"), testing::HasSubstr("signs")));
+  EXPECT_THAT([&] { identified({path}); }, refused_at({.file = path,
+                                                       .key = "elbow_joint/velocity",
+                                                       .value = testing::StartsWith("-"),
+                                                       .limit = "1 times the derivative of the position"}));
 }
 
 TEST_F(Identify, ARightLogInWhichAJointStandsStillIsNotDoubted) {
@@ -82,7 +84,8 @@ TEST_F(Identify, ALogWithoutMotionIsRefused) {
   for (const double noise : {0.0, 1e-4}) {
     ExcitationLog still = log_of_some_joints({}, truth, noise);
     const std::string path = folder_.write("still.csv", log_csv(arm_, still));
-    EXPECT_THAT(test::refusal([&] { identified({path}); }), testing::HasSubstr("no joint moves")) << noise;
+    EXPECT_THAT([&] { identified({path}); }, refused_at({.file = path, .limit = "above 0.01 rad or m"}))
+        << noise;
   }
 }
 
@@ -101,24 +104,25 @@ TEST_F(Identify, ALogThatChangesBetweenTwoPassesIsRefused) {
   robust.progress = [&](int pass, std::size_t, long) {
     if (pass == 1) folder_.write("log.csv", text.substr(0, text.size() - text.size() / 4));
   };
-  EXPECT_THAT(test::refusal([&] { identified({path}, robust); }), testing::HasSubstr("log.csv"));
+  EXPECT_THAT([&] { identified({path}, robust); }, refused_at({.file = path}));
 }
 
 TEST_F(Identify, ATorqueThatIsAlwaysZeroIsRefusedWithItsJoint) {
   ExcitationLog silent = simulate_excitation(nominal_, exciting_, {}, kNever);
   for (LogSample& sample : silent.samples) sample.torque[4] = 0.0;
   const std::string path = folder_.write("log.csv", log_csv(arm_, silent));
-  EXPECT_THAT(test::refusal([&] { identified({path}); }),
-              testing::AllOf(testing::HasSubstr("log.csv"), testing::HasSubstr(arm_.joints[4].name)));
+  EXPECT_THAT([&] { identified({path}); },
+              refused_at({.file = path, .key = arm_.joints[4].name + "/torque", .value = "0"}));
 }
 
 TEST_F(Identify, ATorqueThatNeverChangesIsRefusedIfItsJointMoves) {
   ExcitationLog frozen = simulate_excitation(nominal_, exciting_, {}, kNever);
   for (LogSample& sample : frozen.samples) sample.torque[1] = -107.4;
   const std::string path = folder_.write("log.csv", log_csv(arm_, frozen));
-  EXPECT_THAT(test::refusal([&] { identified({path}); }),
-              testing::AllOf(testing::HasSubstr("shoulder_lift_joint: its torque is -107.4 N m in every row"),
-                             testing::HasSubstr("frozen")));
+  EXPECT_THAT([&] { identified({path}); }, refused_at({.file = path,
+                                                       .key = "shoulder_lift_joint/torque",
+                                                       .value = "-107.4",
+                                                       .limit = "a torque that changes with the motion"}));
 }
 
 TEST_F(Identify, OtherUnitsAreRefusedWithTheScaleThatBringsThemBack) {
@@ -127,20 +131,26 @@ TEST_F(Identify, OtherUnitsAreRefusedWithTheScaleThatBringsThemBack) {
     ExcitationLog wrong = right;
     for (LogSample& sample : wrong.samples) change(sample);
     const std::string path = folder_.write("log.csv", log_csv(arm_, wrong));
-    return test::refusal([&] { identified({path}); });
+    return test::input_error([&] { identified({path}); });
   };
-  EXPECT_THAT(refused([](LogSample& at) {
-                at.q *= 180.0 / M_PI;
-                at.qd *= 180.0 / M_PI;
-              }),
-              testing::AllOf(testing::HasSubstr("degrees"), testing::HasSubstr("0.0174")));
-  EXPECT_THAT(refused([](LogSample& at) { at.torque *= 1000.0; }),
-              testing::AllOf(testing::HasSubstr("N mm"), testing::HasSubstr("scale: 0.001")));
-  EXPECT_THAT(refused([](LogSample& at) {
-                at.time *= 1000.0;
-                at.qd *= 1e-3;
-              }),
-              testing::AllOf(testing::HasSubstr("milliseconds"), testing::HasSubstr("time_scale: 0.001")));
+  const InputError degrees = refused([](LogSample& at) {
+    at.q *= 180.0 / M_PI;
+    at.qd *= 180.0 / M_PI;
+  });
+  EXPECT_THAT(degrees,
+              refused_at({.key = testing::EndsWith("/position"), .limit = testing::EndsWith(" rad")}));
+  EXPECT_THAT(degrees.what(), testing::AllOf(testing::HasSubstr("degrees"), testing::HasSubstr("0.0174")));
+  const InputError torques = refused([](LogSample& at) { at.torque *= 1000.0; });
+  EXPECT_THAT(torques, refused_at({.key = testing::EndsWith("/torque"), .limit = testing::EndsWith(" N m")}));
+  EXPECT_THAT(torques.what(), testing::AllOf(testing::HasSubstr("N mm"), testing::HasSubstr("scale: 0.001")));
+  const InputError times = refused([](LogSample& at) {
+    at.time *= 1000.0;
+    at.qd *= 1e-3;
+  });
+  EXPECT_THAT(times, refused_at({.file = folder_ / "log.csv",
+                                 .value = fmt::format("{}", IdentifyOptions{}.rows.cutoff),
+                                 .limit = testing::StartsWith("a cutoff of at most ")}));
+  EXPECT_THAT(times.what(), testing::HasSubstr("time_scale: 0.001"));
 }
 
 TEST_F(Identify, ALogThatIsTooShortOrTooCoarseIsRefused) {
@@ -148,10 +158,13 @@ TEST_F(Identify, ALogThatIsTooShortOrTooCoarseIsRefused) {
   ExcitationLog cut = simulate_excitation(scenario, exciting_, {}, kNever);
   cut.samples.resize(700);
   const std::string path = folder_.write("log.csv", log_csv(arm_, cut));
-  EXPECT_THAT(test::refusal([&] { identified({path}); }), testing::HasSubstr("too few for the filters"));
+  EXPECT_THAT([&] { identified({path}); },
+              refused_at({.file = path, .value = "700", .limit = "enough samples for the filters"}));
   IdentifyOptions high;
   high.rows.cutoff = 100.0;
-  EXPECT_THAT(test::refusal([&] { identified({path}, high); }), testing::HasSubstr("too few for a cutoff"));
+  EXPECT_THAT(
+      [&] { identified({path}, high); },
+      refused_at({.file = path, .value = "100", .limit = testing::StartsWith("a cutoff of at most ")}));
 }
 
 }  // namespace identify_refusals_test

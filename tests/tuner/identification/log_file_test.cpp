@@ -11,8 +11,9 @@
 namespace armtune::internal {
 namespace log_file_test {
 
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 class Logs : public ::testing::Test {
  protected:
@@ -26,8 +27,18 @@ class Logs : public ::testing::Test {
     while (auto sample = log.next()) samples.push_back(*sample);
     return samples;
   }
-  std::string refused(const std::string& text) {
-    return test::refusal([&] { read(text); });
+  /// Returns the error with which a log of this text is refused. Its file is the log.
+  InputError refused(const std::string& text) {
+    InputError error = test::input_error([&] { read(text); });
+    EXPECT_THAT(error, refused_at({.file = folder_ / "log.csv"}));
+    return error;
+  }
+  /// Returns the error with which a column map of this text is refused. Its file is the map.
+  InputError map_refused(const std::string& text) {
+    const std::string path = folder_.write("map.yaml", text);
+    InputError error = test::input_error([&] { load_log_columns(path, arm_); });
+    EXPECT_THAT(error, refused_at({.file = path}));
+    return error;
   }
 };
 
@@ -51,11 +62,8 @@ TEST_F(Logs, AColumnMapGivesNamesAndUnits) {
   EXPECT_EQ(samples[1].time, 1.0);
   EXPECT_EQ(samples[1].q, JointVector(Eigen::Vector2d(1, 2)));
   EXPECT_EQ(samples[1].torque, JointVector(Eigen::Vector2d(3, 4)));
-  EXPECT_THAT(test::refusal([&] {
-                load_log_columns(
-                    folder_.write("m.yaml", "position: {columns: [a]}\ntorque: {columns: [a, b]}\n"), arm_);
-              }),
-              AllOf(HasSubstr("m.yaml:1:"), HasSubstr("1 entries"), HasSubstr("2 joints")));
+  EXPECT_THAT(map_refused("position: {columns: [a]}\ntorque: {columns: [a, b]}\n"),
+              refused_at({.line = 1, .key = "position/columns", .value = "1", .limit = "2 entries"}));
 }
 
 TEST_F(Logs, WhatAColumnMapLeavesOutIsCalledAsUsual) {
@@ -71,8 +79,8 @@ TEST_F(Logs, WhatAColumnMapLeavesOutIsCalledAsUsual) {
   EXPECT_EQ(samples[1].torque, JointVector(Eigen::Vector2d(5, 6)));
   columns_ = load_log_columns(folder_.write("map.yaml", "position: {columns: [a, b]}\n"), arm_);
   EXPECT_TRUE(columns_.velocity.empty()) << "of other columns nothing is known";
-  EXPECT_THAT(test::refusal([&] { load_log_columns(folder_.write("map.yaml", "time_scale: -1\n"), arm_); }),
-              AllOf(HasSubstr("map.yaml:1:"), HasSubstr("negative")));
+  EXPECT_THAT(map_refused("time_scale: -1\n"),
+              refused_at({.line = 1, .key = "time_scale", .value = "-1", .limit = "above zero"}));
 }
 
 TEST_F(Logs, UnitsCountForAllColumnsBesideTheirScales) {
@@ -98,35 +106,38 @@ TEST_F(Logs, BlankLinesBeforeTheNamesAreSkippedAndCounted) {
   const auto samples = read("\n \r\nt,q1,q2,tau1,tau2\n0,1,2,3,4\n1,5,6,7,8\n");
   ASSERT_EQ(samples.size(), 2U);
   EXPECT_EQ(samples[1].torque, JointVector(Eigen::Vector2d(7, 8)));
-  EXPECT_THAT(refused("\n\nt,q1,q2,tau1\n"), HasSubstr("log.csv:3: there is no column 'tau2'"));
+  EXPECT_THAT(refused("\n\nt,q1,q2,tau1\n"),
+              refused_at({.line = 3, .key = "tau2", .limit = "a column 'tau2'"}));
   EXPECT_THAT(
       refused("\nt,q1,q2,tau1,tau2\n0,1,2,3,4\n1,5,6,7,8\n2,5,6,7,8\n3,5,6,7,8\n4,5,6,7,8\n5,5,6,7,8\n"
               "6,5,6,7,8\n7.8,5,6,7,8\n"),
-      HasSubstr("log.csv:10: a step of"));
-  EXPECT_THAT(refused("\n\n"), HasSubstr("is empty"));
+      refused_at({.line = 10, .key = "t", .value = "1.8", .limit = StartsWith("equal steps")}));
+  EXPECT_THAT(refused("\n\n"), refused_at({.line = 0, .limit = "a line of column names"}));
 }
 
 TEST_F(Logs, AQuotedTextThatGoesOnOverItsLineIsNamed) {
   EXPECT_THAT(refused("t,q1,q2,tau1,tau2,note\n0,1,2,3,4,\"a\nb\"\n1,5,6,7,8,c\n"),
-              AllOf(HasSubstr("log.csv:3:"), HasSubstr("spans several lines")));
+              refused_at({.line = 3, .limit = "texts of one line"}));
 }
 
 TEST_F(Logs, TwoColumnsOfOneNameAreRefusedWhereTheyAreNeeded) {
-  EXPECT_THAT(refused("t,q1,q2,tau1,tau2,q1\n"), HasSubstr("log.csv:1: two columns are called 'q1'"));
+  EXPECT_THAT(refused("t,q1,q2,tau1,tau2,q1\n"),
+              refused_at({.line = 1, .key = "q1", .value = "q1", .limit = "one column of each name"}));
   EXPECT_EQ(read("t,q1,q2,tau1,tau2,note,note\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n").size(), 2U);
 }
 
 TEST_F(Logs, ALineOfMoreThanAMegabyteIsRefused) {
   EXPECT_THAT(refused("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1," + std::string(2'000'000, '7')),
-              AllOf(HasSubstr("log.csv:3:"), HasSubstr("1 MB")));
+              refused_at({.line = 3, .limit = "lines of at most 1 MB"}));
 }
 
 TEST_F(Logs, OnlyRegularFilesAreReadForALogIsReadMoreThanOnce) {
-  EXPECT_THAT(test::refusal([&] { LogFile("/dev/zero", columns_); }),
-              AllOf(HasSubstr("/dev/zero"), HasSubstr("not a regular file")));
+  EXPECT_THAT([&] { LogFile("/dev/zero", columns_); },
+              refused_at({.file = "/dev/zero", .line = 0, .limit = "a regular file"}));
   const std::string pipe = folder_ / "pipe.csv";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_THAT(test::refusal([&] { LogFile(pipe, columns_); }), HasSubstr("pipe.csv"));
+  const auto read_pipe = [&] { return LogFile(pipe, columns_).path(); };
+  EXPECT_THAT(read_pipe, refused_at({.file = pipe, .line = 0, .limit = "a regular file"}));
 }
 
 TEST_F(Logs, CellsMayBeSeparatedBySemicolonsTabsOrBlanks) {
@@ -142,8 +153,9 @@ TEST_F(Logs, CellsMayBeSeparatedBySemicolonsTabsOrBlanks) {
       EXPECT_EQ(samples[k].torque, commas[k].torque);
     }
   }
-  EXPECT_THAT(refused("t;q1;q2;tau1;tau2\n0;1,5;2;3;4\n"),
-              AllOf(HasSubstr("1,5"), HasSubstr("decimal points")));
+  const InputError comma = refused("t;q1;q2;tau1;tau2\n0;1,5;2;3;4\n");
+  EXPECT_THAT(comma, refused_at({.line = 2, .key = "q1", .value = "1,5", .limit = "a finite number"}));
+  EXPECT_THAT(comma.what(), HasSubstr("write decimal points"));
 }
 
 TEST_F(Logs, LinesMayEndInAnyWayAndEmptyOnesMayFollowTheLast) {
@@ -163,7 +175,9 @@ TEST_F(Logs, ASeparatorInAQuotedCellBelongsToTheCell) {
 }
 
 TEST_F(Logs, WithoutALineOfNamesColumnsAreCalledByTheirNumbers) {
-  EXPECT_THAT(refused("0,1,2,3,4\n1,5,6,7,8\n"), AllOf(HasSubstr("'t'"), HasSubstr("\"1\"")));
+  const InputError unnamed = refused("0,1,2,3,4\n1,5,6,7,8\n");
+  EXPECT_THAT(unnamed, refused_at({.line = 1, .key = "t", .limit = "a column 't'"}));
+  EXPECT_THAT(unnamed.what(), HasSubstr("call the 5 columns \"1\""));
   columns_.time.name = "1";
   columns_.position = {{"2"}, {"3"}};
   columns_.torque = {{"4"}, {"5"}};
@@ -195,36 +209,44 @@ TEST_F(Logs, AScaleIsOneNumberOrOneForEachJoint) {
     EXPECT_EQ(read("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1,1,2,3,4\n")[0].torque,
               JointVector(Eigen::Vector2d(30, 2)));
   }
-  for (const std::string scale : {"[1]", "[1, 2, 3]", "{nobody: 1}", "0", "[1, 0]", "fast"}) {
-    EXPECT_THAT(
-        test::refusal([&] {
-          load_log_columns(
-              folder_.write("map.yaml",
-                            "position: {columns: [a, b]}\ntorque: {columns: [a, b], scale: " + scale + "}\n"),
-              arm_);
-        }),
-        HasSubstr("map.yaml:2:"))
-        << scale;
-  }
+  const auto scale_refused = [this](const std::string& scale) {
+    return map_refused("position: {columns: [a, b]}\ntorque: {columns: [a, b], scale: " + scale + "}\n");
+  };
+  const std::string key = "torque/scale";
+  EXPECT_THAT(scale_refused("[1]"), refused_at({.line = 2, .key = key, .value = "1", .limit = "2 entries"}));
+  EXPECT_THAT(scale_refused("[1, 2, 3]"),
+              refused_at({.line = 2, .key = key, .value = "3", .limit = "2 entries"}));
+  EXPECT_THAT(scale_refused("{nobody: 1}"),
+              refused_at({.line = 2, .key = key, .limit = "the key '" + joints[0] + "'"}));
+  EXPECT_THAT(scale_refused("0"), refused_at({.line = 2, .key = key, .value = "0", .limit = "other than 0"}));
+  EXPECT_THAT(scale_refused("[1, 0]"),
+              refused_at({.line = 2, .key = key + "/1", .value = "0", .limit = "other than 0"}));
+  EXPECT_THAT(scale_refused("fast"), refused_at({.line = 2, .key = key, .value = "fast"}));
 }
 
 TEST_F(Logs, WhatIsNoWholeLogIsRefusedWithItsPlace) {
   const std::string head = "t,q1,q2,tau1,tau2\n";
-  EXPECT_THAT(refused(""), HasSubstr("empty"));
-  EXPECT_THAT(refused("t,q1,q2,tau1\n"),
-              AllOf(HasSubstr("log.csv:1:"), HasSubstr("'tau2'"), HasSubstr("--columns")));
-  EXPECT_THAT(refused(head + "0,1,2,3,4\n"), HasSubstr("1 rows of data"));
-  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3\n"), AllOf(HasSubstr("log.csv:3:"), HasSubstr("4 cells")));
-  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,nan,3,4\n"), AllOf(HasSubstr("log.csv:3:"), HasSubstr("'q2'")));
-  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2x,3,4\n"),
-              AllOf(HasSubstr("log.csv:3:"), HasSubstr("'q2'"), HasSubstr("2x")));
+  EXPECT_THAT(refused(""), refused_at({.line = 0, .limit = "a line of column names"}));
+  const InputError missing = refused("t,q1,q2,tau1\n");
+  EXPECT_THAT(missing, refused_at({.line = 1, .key = "tau2", .limit = "a column 'tau2'"}));
+  EXPECT_THAT(missing.what(), HasSubstr("--columns"));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n"),
+              refused_at({.line = 0, .value = "1", .limit = "at least 2 rows"}));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3\n"),
+              refused_at({.line = 3, .value = "4", .limit = "5 cells"}));
+  for (const std::string cell : {"nan", "2x"}) {
+    EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1," + cell + ",3,4\n"),
+                refused_at({.line = 3, .key = "q2", .value = cell, .limit = "a finite number"}));
+  }
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,1e200,4\n"),
+              refused_at({.line = 3, .key = "tau1", .value = "1e200", .limit = "at most 1e+09 in size"}));
   EXPECT_THAT(
-      refused(head + "0,1,2,3,4\n1,1,2,1e200,4\n"),
-      AllOf(HasSubstr("log.csv:3:"), HasSubstr("'tau1'"), HasSubstr("1e+200"), HasSubstr("exceeds 1e+09")));
-  EXPECT_THAT(refused(head + "0,1,2,3,4\n0,1,2,3,4\n"), AllOf(HasSubstr("log.csv:3:"), HasSubstr("'t'")));
+      refused(head + "0,1,2,3,4\n0,1,2,3,4\n"),
+      refused_at({.line = 3, .key = "t", .value = "0", .limit = "above the value of the row before"}));
   EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n2,1,2,3,4\n4,1,2,3,4\n5,1,2,3,4\n"),
-              AllOf(HasSubstr("log.csv:5:"), HasSubstr("step")));
-  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n\n2,1,2,3,4\n"), HasSubstr("empty line"));
+              refused_at({.line = 5, .key = "t", .value = "2", .limit = StartsWith("equal steps: 1.25 s")}));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n\n2,1,2,3,4\n"),
+              refused_at({.line = 4, .limit = "a row of numbers"}));
 }
 
 /// A log whose k-th row is at the time that `when` gives.
@@ -244,23 +266,25 @@ TEST_F(Logs, ThePeriodIsTheMeanOfJitteringSteps) {
 
 TEST_F(Logs, AMissingSampleOrAnotherRateIsFoundFarIntoALog) {
   EXPECT_THAT(refused(log_at(3000, [](long k) { return 0.002 * static_cast<double>(k < 2500 ? k : k + 1); })),
-              AllOf(HasSubstr("log.csv:2502:"), HasSubstr("step")));
+              refused_at({.line = 2502, .key = "t", .value = "0.004", .limit = StartsWith("equal steps")}));
+  const auto another_rate =
+      refused_at({.line = testing::Gt(1L), .key = "t", .limit = StartsWith("one rate")});
   EXPECT_THAT(refused(log_at(3000,
                              [](long k) {
                                return 0.002 * static_cast<double>(k) * (1.0 + 1e-5 * static_cast<double>(k));
                              })),
-              HasSubstr("one rate"));
+              another_rate);
   // Within the first stretch and at a log's end, too.
   const auto slower = [](long k) {
     return 0.01 * static_cast<double>(k) * (1.0 + 1e-3 * static_cast<double>(k));
   };
-  EXPECT_THAT(refused(log_at(300, slower)), HasSubstr("one rate"));
+  EXPECT_THAT(refused(log_at(300, slower)), another_rate);
   EXPECT_THAT(refused(log_at(900,
                              [](long k) {
                                return 0.002 * static_cast<double>(k < 600 ? k : 600) +
                                       0.0024 * static_cast<double>(k < 600 ? 0 : k - 600);
                              })),
-              HasSubstr("one rate"));
+              another_rate);
 }
 
 TEST_F(Logs, ItsOwnVelocityColumnsMayBeMissingButNamedOnesMayNot) {
@@ -269,10 +293,11 @@ TEST_F(Logs, ItsOwnVelocityColumnsMayBeMissingButNamedOnesMayNot) {
   EXPECT_EQ(read("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1,1,2,3,4\n").front().qd.size(), 0);
   EXPECT_EQ(read("t,q1,q2,tau1,tau2,v2,v1\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n").front().qd,
             JointVector(Eigen::Vector2d(6, 5)));
-  EXPECT_THAT(refused("t,q1,q2,tau1,tau2,v1\n0,1,2,3,4,5\n1,1,2,3,4,5\n"), HasSubstr("'v2'"))
+  EXPECT_THAT(refused("t,q1,q2,tau1,tau2,v1\n0,1,2,3,4,5\n1,1,2,3,4,5\n"),
+              refused_at({.line = 1, .key = "v2"}))
       << "half of them";
   columns_.velocity_optional = false;
-  EXPECT_THAT(refused("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr("'v1'"));
+  EXPECT_THAT(refused("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1,1,2,3,4\n"), refused_at({.line = 1, .key = "v1"}));
 }
 
 }  // namespace log_file_test

@@ -1,5 +1,6 @@
 #include "tuner/identification/log_mistakes.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +17,9 @@
 namespace armtune::internal {
 namespace log_mistakes_test {
 
+using test::refused_at;
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -213,19 +216,22 @@ TEST_F(LogMistakes, AUnitIsNamedOnlyWhereTheTorquesAreThoseOfAnArmInIt) {
   const auto refused = [this](double scale) {
     std::vector<LogInstant> log = log_;
     for (LogInstant& at : log) at.torque *= scale;
-    return test::refusal([&] { check_units(model_, log, "log.csv"); });
+    InputError error = test::input_error([&] { check_units(model_, log, "log.csv"); });
+    EXPECT_THAT(error, refused_at({.file = "log.csv",
+                                   .key = EndsWith("/torque"),
+                                   .value = Not(testing::IsEmpty()),
+                                   .limit = EndsWith(" N m")}));
+    return std::string(error.what());
   };
   EXPECT_THAT(refused(1000.0), AllOf(HasSubstr("in N mm,"), HasSubstr("scale: 0.001")));
   for (const double scale : {10.0, 30.0})
-    EXPECT_THAT(refused(scale),
-                AllOf(HasSubstr("effort limit"), HasSubstr("--robot"), Not(HasSubstr("N mm"))))
-        << scale;
+    EXPECT_THAT(refused(scale), AllOf(HasSubstr("--robot"), Not(HasSubstr("N mm")))) << scale;
 }
 
 TEST_F(LogMistakes, ALogWithoutMotionIsRefused) {
   for (LogInstant& at : log_) at = log_.front();
-  EXPECT_THAT(test::refusal([&] { check_motion(model_, log_, "log.csv"); }),
-              AllOf(HasSubstr("log.csv: no joint moves"), HasSubstr("armtune excite")));
+  EXPECT_THAT([&] { check_motion(model_, log_, "log.csv"); },
+              refused_at({.file = "log.csv", .value = "0", .limit = "above 0.01 rad or m"}));
   log_.back().q[3] += 0.02;
   EXPECT_NO_THROW(check_motion(model_, log_, "log.csv"));
 }
@@ -238,9 +244,11 @@ TEST_F(LogMistakes, LimitsOfASlidingJointAreForces) {
     at.torque = JointVector::Ones(model_.n()) + at.qd;
     at.torque[1] = (1000.0 + at.q[1]) * model_.joints[1].limits.effort;
   }
-  EXPECT_THAT(test::refusal([&] { check_units(model_, log_, "log.csv"); }),
-              AllOf(HasSubstr(model_.joints[1].name), HasSubstr(" N,"), HasSubstr(" mN,"),
-                    Not(HasSubstr("N mm")), Not(HasSubstr("N m,"))));
+  const InputError error = test::input_error([&] { check_units(model_, log_, "log.csv"); });
+  EXPECT_THAT(error, refused_at({.file = "log.csv",
+                                 .key = model_.joints[1].name + "/torque",
+                                 .limit = fmt::format("{:.4g} N", model_.joints[1].limits.effort)}));
+  EXPECT_THAT(error.what(), AllOf(HasSubstr(" mN,"), Not(HasSubstr("N mm")), Not(HasSubstr("N m,"))));
 }
 
 TEST(ArmFitter, LeavesNothingOfTheRobotFilesOwnTorquesUnexplained) {

@@ -16,8 +16,13 @@
 namespace armtune::internal {
 namespace journal_test {
 
+using test::refused_at;
 using testing::AllOf;
 using testing::HasSubstr;
+
+long lines_in(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
 
 RunHeader header_of_run() {
   return {{"tune", "a study.yaml", "--seed", "7"},
@@ -135,22 +140,26 @@ TEST_F(JournalFile, RemembersWhenTheTimeWasUpAndThatTheRunIsComplete) {
     EXPECT_EQ(journal->exit_code(), 3);
     journal->complete(256);
   }
-  EXPECT_THAT(test::refusal([&] { resumed(path); }), testing::HasSubstr("256 is not an exit code"));
+  const InputError error = test::input_error([&] { resumed(path); });
+  EXPECT_THAT(error, refused_at({.file = path, .line = lines_in(test::read_text(path))})) << "the last one";
+  EXPECT_THAT(error.what(), HasSubstr("256 is not an exit code"));
 }
 
 TEST_F(JournalFile, IsWrittenByOneProcessAtATime) {
   const std::string path = written();
   const auto first = resumed(path);
-  EXPECT_THAT(test::refusal([&] { resumed(path); }), HasSubstr("another process is writing"));
+  const InputError error = test::input_error([&] { resumed(path); });
+  EXPECT_THAT(error, refused_at({.file = path}));
+  EXPECT_THAT(error.what(), HasSubstr("another process is writing"));
 }
 
 TEST_F(JournalFile, IsBegunOnlyWhereThereIsNone) {
   const std::string path = written();
   const std::string before = test::read_text(path);
-  EXPECT_THAT(test::refusal([&] { Journal::begin(path, header_of_run()); }), HasSubstr("cannot create"));
+  EXPECT_THAT([&] { Journal::begin(path, header_of_run()); }, refused_at({.file = path}));
   EXPECT_EQ(test::read_text(path), before);
   const auto first = Journal::begin(folder_ / "new.txt", header_of_run());
-  EXPECT_THAT(test::refusal([&] { resumed(folder_ / "new.txt"); }), HasSubstr("another process is writing"));
+  EXPECT_THAT([&] { resumed(folder_ / "new.txt"); }, refused_at({.file = folder_ / "new.txt", .line = 0}));
 }
 
 TEST(RunHeader, AnotherBuildIsCalledThatAndNotByItsHash) {
@@ -190,13 +199,14 @@ TEST_F(JournalFile, RefusesAnotherRunAndSaysWhatDiffers) {
   other.identity[0].second = "8";
   other.identity[1].second = "a: 1\nb: 20\nc: 3\n";
   other.identity.emplace_back("ur10.urdf", "fnv1a-1");
-  EXPECT_THAT(
-      test::refusal([&] { Journal::resume(path, other, warning_); }),
-      AllOf(HasSubstr(path), HasSubstr("seed was '7', is '8'"), HasSubstr("study was 'b: 2', is 'b: 20'"),
-            HasSubstr("ur10.urdf was '(nothing)', is 'fnv1a-1'"), HasSubstr("--out")));
-  EXPECT_THAT(test::refusal([&] { resumed(folder_ / "none.txt"); }), HasSubstr("cannot be read"));
+  const InputError error = test::input_error([&] { Journal::resume(path, other, warning_); });
+  EXPECT_THAT(error, refused_at({.file = path, .line = 0}));
+  EXPECT_THAT(error.what(),
+              AllOf(HasSubstr("seed was '7', is '8'"), HasSubstr("study was 'b: 2', is 'b: 20'"),
+                    HasSubstr("ur10.urdf was '(nothing)', is 'fnv1a-1'"), HasSubstr("--out")));
+  EXPECT_THAT([&] { resumed(folder_ / "none.txt"); }, refused_at({.file = folder_ / "none.txt", .line = 0}));
   const std::string csv = folder_.write("other.txt", "evaluation,phase\n");
-  EXPECT_THAT(test::refusal([&] { resumed(csv); }), HasSubstr("not an armtune journal"));
+  EXPECT_THAT([&] { resumed(csv); }, refused_at({.file = csv, .line = 0, .limit = "armtune journal 1"}));
 }
 
 TEST_F(JournalFile, CutAnywhereItKeepsEveryWholeRecord) {
@@ -209,7 +219,7 @@ TEST_F(JournalFile, CutAnywhereItKeepsEveryWholeRecord) {
     const std::string text = whole.substr(0, place);
     const std::string path = folder_.write("cut.txt", text);
     if (place < header) {
-      EXPECT_THAT(test::refusal([&] { resumed(path); }), HasSubstr("cut.txt")) << "cut at " << place;
+      EXPECT_THAT([&] { resumed(path); }, refused_at({.file = path})) << "cut at " << place;
       continue;
     }
     const auto lines = static_cast<std::size_t>(
@@ -254,8 +264,8 @@ TEST_F(JournalFile, ABitFlippedAnywhereIsFoundNeverTaken) {
 }
 
 TEST(RunHeader, ALineWithoutEndIsNotReadIntoTheMemory) {
-  EXPECT_THAT(test::refusal([] { read_run_header("/dev/zero"); }),
-              AllOf(HasSubstr("/dev/zero:1: this line has more than 64 MB"), HasSubstr("armtune journal")));
+  EXPECT_THAT([] { read_run_header("/dev/zero"); },
+              refused_at({.file = "/dev/zero", .line = 1, .limit = "lines of at most 64 MB"}));
 }
 
 TEST_F(JournalFile, DamageInTheMiddleNamesTheRecord) {
@@ -264,8 +274,11 @@ TEST_F(JournalFile, DamageInTheMiddleNamesTheRecord) {
   ASSERT_NE(third, std::string::npos);
   text[third + 9] = '7';
   const std::string path = folder_.write("damaged.txt", text);
-  EXPECT_THAT(test::refusal([&] { resumed(path); }),
-              AllOf(HasSubstr("damaged.txt:"), HasSubstr("record 2 "), HasSubstr("checksum")));
+  const InputError error = test::input_error([&] { resumed(path); });
+  EXPECT_THAT(error, refused_at({.file = path,
+                                 .line = lines_in(text.substr(0, third)) + 1,
+                                 .limit = "a line with the right checksum"}));
+  EXPECT_THAT(error.what(), HasSubstr("record 2 "));
 }
 
 TEST(Journal, AHeaderThatTheDiskRefusesLeavesNoFile) {

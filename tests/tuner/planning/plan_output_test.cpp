@@ -236,7 +236,7 @@ TEST(PlanFiles, LimitsSayWhatHoldsThePlanBackAndWhen) {
   EXPECT_TRUE(std::regex_match(when, std::regex(R"(8\.0\d*:8\.1\d*)"))) << when;
 }
 
-TEST(PlanFacts, HeadlineTellsTimeFromErrorAndEntriesNameWhatWasMeasured) {
+TEST(PlanFacts, HeadlineTellsTimeFromError) {
   EXPECT_THAT(plan_headline(a_switch().task, a_switch().problem, a_switch().planned),
               HasSubstr("s is the least time found within the limits"));
   const Solved lap(load_plan_task("ur10_lap"), 40);
@@ -246,13 +246,33 @@ TEST(PlanFacts, HeadlineTellsTimeFromErrorAndEntriesNameWhatWasMeasured) {
   const Solved move(slow, 20);
   EXPECT_EQ(plan_headline(move.task, move.problem, move.planned),
             "the smoothest motion of 2 s found within the limits");
-  std::set<std::string> keys;
-  for (const auto& entry :
-       plan_entries(a_switch().task, a_switch().problem, a_switch().planned, a_switch().uses))
-    EXPECT_TRUE(keys.insert(entry.first).second) << entry.first;
-  for (const char* key : {"headline", "phases", "violation", "kkt_stationarity", "between_knots_torque",
-                          "between_knots_tool_path", "between_knots_gaze"})
-    EXPECT_EQ(keys.count(key), 1U) << key;
+}
+
+TEST(PlanFacts, AreThoseOfTheSolutionAndOfTheUsesBetweenTheKnots) {
+  const PlannedTrajectory& planned = a_switch().planned;
+  const PlanFacts facts = plan_facts(a_switch().task, a_switch().problem, planned, a_switch().uses);
+  EXPECT_EQ(facts.task, "switch");
+  EXPECT_EQ(facts.scenario, a_switch().task.scenario.name);
+  EXPECT_EQ(facts.headline, plan_headline(a_switch().task, a_switch().problem, planned));
+  EXPECT_EQ(facts.knots, static_cast<long>(planned.trajectory.time.size()));
+  EXPECT_EQ(facts.violation, planned.result.last.violation);
+  EXPECT_EQ(facts.stationarity, planned.result.last.stationarity);
+  EXPECT_EQ(facts.complementarity, planned.result.last.complementarity);
+  EXPECT_DOUBLE_EQ(facts.objective * facts.objective_weight, planned.result.last.objective);
+  ASSERT_EQ(facts.phases.size(), planned.trajectory.durations.size());
+  for (std::size_t p = 0; p < facts.phases.size(); ++p)
+    EXPECT_EQ(facts.phases[p].duration, planned.trajectory.durations[p]) << facts.phases[p].name;
+  std::set<std::string> kinds;
+  for (const BetweenFact& worst : facts.between_knots) {
+    EXPECT_TRUE(kinds.insert(worst.kind).second) << worst.kind;
+    ASSERT_TRUE(worst.share) << worst.kind;
+    for (const LimitUse& use : a_switch().uses) {
+      if (use.limit == worst.limit && use.from < use.to) {
+        EXPECT_LE(use.between, *worst.share) << use.limit << " of " << use.part;
+      }
+    }
+  }
+  EXPECT_THAT(kinds, testing::IsSupersetOf({"torque", "tool_path", "gaze"}));
 }
 
 }  // namespace plan_output_test

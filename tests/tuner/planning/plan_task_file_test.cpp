@@ -7,14 +7,17 @@
 
 #include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
 
 namespace armtune::internal {
 namespace plan_task_file_test {
 
-using testing::AllOf;
+using test::refused_at;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 void expect_same(const JointVector& a, const JointVector& b, const char* what) {
   ASSERT_EQ(a.size(), b.size()) << what;
@@ -149,66 +152,84 @@ TEST(PlanTaskFile, AScenarioOfItsOwnIsFoundFromAnotherFolder) {
   expect_written_and_read(load_plan_task(path));
 }
 
-std::string message_of(const std::string& text) {
+/// Returns the error with which a task of this text is refused. Its file is the task's.
+InputError refused(const std::string& text) {
   const test::TemporaryFolder folder;
-  try {
-    load_plan_task(folder.write("task.yaml", text));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  const std::string path = folder.write("task.yaml", text);
+  InputError error = test::input_error([&] { load_plan_task(path); });
+  EXPECT_THAT(error, refused_at({.file = path}));
+  return error;
 }
 
 TEST(PlanTaskFile, SaysWhatIsWrong) {
-  EXPECT_THAT(message_of("task: jump\nscenario: moving_target\n"),
-              HasSubstr("move, track, switch, return, fastest"));
-  EXPECT_THAT(message_of("task: move\nscenario: moving_target\n"), HasSubstr("needs a goal"));
-  EXPECT_THAT(message_of("task: track\nscenario: moving_target\n"), HasSubstr("needs a duration"));
-  EXPECT_THAT(message_of("task: switch\nscenario: target_switch\nat: 9\n"),
-              AllOf(HasSubstr("task.yaml:3"), HasSubstr("8, 16, 24, 32 s")));
-  EXPECT_THAT(message_of("task: switch\nscenario: moving_target\nat: 8\n"),
-              AllOf(HasSubstr("task.yaml:3"), HasSubstr("moving_target never switches its target")));
-  EXPECT_THAT(message_of("task: return\nscenario: moving_target\n"), HasSubstr("needs a start"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nknots: 2\n"), HasSubstr("12 .. 100000"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nclearance: 0.3\n"),
-              HasSubstr("neither obstacles nor a cell"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {velocity: 2}\n"),
-              HasSubstr("velocity"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {jerk: [1, 1, 0, 1, 1, 1]}\n"),
-              HasSubstr("must be > 0"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nsmothness: 1\n"), HasSubstr("smoothness"));
+  EXPECT_THAT(refused("task: jump\nscenario: moving_target\n"),
+              refused_at({.line = 1,
+                          .key = "task",
+                          .value = "jump",
+                          .limit = "one of: move, track, switch, return, fastest"}));
+  for (const auto& [kind, needed] :
+       {std::pair("move", "goal"), std::pair("track", "duration"), std::pair("return", "start")}) {
+    EXPECT_THAT(
+        refused(std::string("task: ") + kind + "\nscenario: moving_target\n"),
+        refused_at(
+            {.line = 1, .key = "task", .value = kind, .limit = std::string("the key '") + needed + "'"}));
+  }
+  EXPECT_THAT(refused("task: switch\nscenario: target_switch\nat: 9\n"),
+              refused_at({.line = 3,
+                          .key = "at",
+                          .value = "9",
+                          .limit = StartsWith("one of its switch times: 8, 16, 24, 32")}));
+  EXPECT_THAT(refused("task: switch\nscenario: moving_target\nat: 8\n"),
+              refused_at({.line = 3, .key = "at", .value = "8", .limit = ""}));
+  const std::string fastest = "task: fastest\nscenario: moving_target\n";
+  EXPECT_THAT(refused(fastest + "knots: 2\n"),
+              refused_at({.line = 3, .key = "knots", .value = "2", .limit = "12 .. 100000"}));
+  EXPECT_THAT(refused(fastest + "clearance: 0.3\n"),
+              refused_at({.line = 3, .key = "clearance", .value = "0.3", .limit = "0"}));
+  EXPECT_THAT(refused(fastest + "limits: {velocity: 2}\n"),
+              refused_at({.line = 3, .key = "limits/velocity", .value = "2", .limit = "0.01 to 1"}));
+  EXPECT_THAT(refused(fastest + "limits: {jerk: [1, 1, 0, 1, 1, 1]}\n"),
+              refused_at({.line = 3, .key = "limits/jerk/2", .value = "0", .limit = "above 0"}));
+  const InputError misspelt = refused(fastest + "smothness: 1\n");
+  EXPECT_THAT(misspelt, refused_at({.line = 3, .key = "smothness", .value = "smothness"}));
+  EXPECT_THAT(misspelt.what(), HasSubstr("did you mean 'smoothness'"));
 }
 
 TEST(PlanTaskFile, WhatSaysNothingToATaskIsRefused) {
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\ngoal: [0, 0, 0, 0, 0, 0]\n"),
-              AllOf(HasSubstr("task.yaml:3: key 'goal'"), HasSubstr("no effect in a fastest task")));
-  EXPECT_THAT(message_of("task: switch\nscenario: target_switch\nat: 8\nleast_error: true\nduration: 1\n"
-                         "hold: 1\n"),
-              AllOf(HasSubstr("key 'hold'"), HasSubstr("a switch task with least_error")));
-  EXPECT_THAT(message_of("task: return\nscenario: moving_target\nstart: {position: [0, 0, 0, 0, 0, 0]}\n"
-                         "gaze_threshold: 0.1\n"),
-              HasSubstr("a return task without end_gaze"));
+  EXPECT_THAT(refused("task: fastest\nscenario: moving_target\ngoal: [0, 0, 0, 0, 0, 0]\n"),
+              refused_at({.line = 3, .key = "goal"}));
+  const InputError hold =
+      refused("task: switch\nscenario: target_switch\nat: 8\nleast_error: true\nduration: 1\nhold: 1\n");
+  EXPECT_THAT(hold, refused_at({.line = 6, .key = "hold", .value = "1"}));
+  EXPECT_THAT(hold.what(), HasSubstr("a switch task with least_error"));
+  const InputError threshold = refused(
+      "task: return\nscenario: moving_target\nstart: {position: [0, 0, 0, 0, 0, 0]}\n"
+      "gaze_threshold: 0.1\n");
+  EXPECT_THAT(threshold, refused_at({.line = 4, .key = "gaze_threshold", .value = "0.1"}));
+  EXPECT_THAT(threshold.what(), HasSubstr("a return task without end_gaze"));
 }
 
 TEST(PlanTaskFile, AStartOrGoalBeyondItsLimitsIsRefusedBeforeAnythingIsSolved) {
   const std::string move = "task: move\nscenario: moving_target\ngoal: ";
-  EXPECT_THAT(
-      message_of(move + "[0, 0, 4, 0, 0, 0]\n"),
-      AllOf(HasSubstr("task.yaml:3: key 'goal'"), HasSubstr("elbow_joint is 4; its limits are -3.14")));
+  EXPECT_THAT(refused(move + "[0, 0, 4, 0, 0, 0]\n"),
+              refused_at({.line = 3, .key = "goal/2", .value = "4", .limit = StartsWith("-3.14")}));
+  EXPECT_THAT(refused(move + "{shoulder_pan_joint: 0, shoulder_lift_joint: 0, elbow_joint: 4, "
+                             "wrist_1_joint: 0, wrist_2_joint: 0, wrist_3_joint: 0}\n"),
+              refused_at({.line = 3, .key = "goal/elbow_joint", .value = "4"}));
   const std::string start = move + "[0, 0, 1, 0, 0, 0]\nstart: {position: [0, 0, 0, 0, 0, 0], ";
-  EXPECT_THAT(message_of(start + "velocity: [0, 0, 0, 0, -4, 0]}\n"),
-              AllOf(HasSubstr("key 'start/velocity'"), HasSubstr("wrist_2_joint is -4")));
   EXPECT_THAT(
-      message_of(start + "acceleration: [9, 0, 0, 0, 0, 0]}\nlimits: {acceleration: [8, 8, 8, 8, 8, 8]}\n"),
-      AllOf(HasSubstr("key 'start/acceleration'"), HasSubstr("shoulder_pan_joint is 9"),
-            HasSubstr("limit is 8")));
+      refused(start + "velocity: [0, 0, 0, 0, -4, 0]}\n"),
+      refused_at({.line = 4, .key = "start/velocity/4", .value = "-4", .limit = EndsWith(" in size")}));
+  EXPECT_THAT(
+      refused(start + "acceleration: [9, 0, 0, 0, 0, 0]}\nlimits: {acceleration: [8, 8, 8, 8, 8, 8]}\n"),
+      refused_at({.line = 4, .key = "start/acceleration/0", .value = "9", .limit = "at most 8 in size"}));
 }
 
 TEST(PlanTaskFile, AnAccelerationLimitAboveTheRobotsIsRefused) {
   const test::TemporaryFolder folder;
-  folder.write("arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
-                           "/sim/robots/ur10.urdf\ntip_link: tool0\nrotor_inertia: estimated\n"
-                           "limits: {elbow_joint: {acceleration: 20}}\n");
+  folder.write("arm.yaml", "urdf: " + test::source_dir() +
+                               "/sim/robots/ur10.urdf\ntip_link: tool0\nrotor_inertia: estimated\n"
+                               "limits: {elbow_joint: {acceleration: 20}}\n");
   folder.write("scenario.yaml", "base: moving_target\nrobot: arm.yaml\n");
   const auto loaded = [&](const std::string& elbow) {
     return load_plan_task(folder.write("task.yaml",
@@ -217,20 +238,29 @@ TEST(PlanTaskFile, AnAccelerationLimitAboveTheRobotsIsRefused) {
                                            elbow + ", 90, 90, 90]}\n"));
   };
   EXPECT_EQ(acceleration_limits(loaded("20"))[2], 20.0);
-  EXPECT_THAT(test::refusal([&] { loaded("21"); }),
-              AllOf(HasSubstr("task.yaml:4"), HasSubstr("key 'limits/acceleration'"),
-                    HasSubstr("the limit of elbow_joint is 21, above the robot's 20")));
+  EXPECT_THAT([&] { loaded("21"); }, refused_at({.file = folder / "task.yaml",
+                                                 .line = 4,
+                                                 .key = "limits/acceleration/2",
+                                                 .value = "21",
+                                                 .limit = "at most 20"}));
 }
 
 TEST(PlanTaskFile, OnlyGazesArePlanned) {
   const test::TemporaryFolder folder;
   const std::string task = folder.write("task.yaml", "task: track\nscenario: own.yaml\nduration: 2\n");
   folder.write("own.yaml", "base: moving_target\ntargets: []\norientation: {rpy_deg: [180, 0, 90]}\n");
-  EXPECT_THAT(test::refusal([&] { load_plan_task(task); }),
-              AllOf(HasSubstr("task.yaml:2"), HasSubstr("gaze targets only")));
+  EXPECT_THAT([&] { load_plan_task(task); }, refused_at({.file = task,
+                                                         .line = 2,
+                                                         .key = "scenario",
+                                                         .value = "own.yaml",
+                                                         .limit = "a scenario with gaze targets"}));
   folder.write("own.yaml", "base: moving_target\ntask_mask: position\n");
-  EXPECT_THAT(test::refusal([&] { load_plan_task(task); }),
-              AllOf(HasSubstr("task.yaml:2"), HasSubstr("tool position only")));
+  EXPECT_THAT([&] { load_plan_task(task); },
+              refused_at({.file = task,
+                          .line = 2,
+                          .key = "scenario",
+                          .value = "own.yaml",
+                          .limit = "a scenario that controls more than the tool position"}));
   folder.write("own.yaml", "base: moving_target\ntask_mask: position_and_axis\n");
   EXPECT_NO_THROW(load_plan_task(task));
 }

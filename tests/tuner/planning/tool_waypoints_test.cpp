@@ -10,6 +10,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/study/study.hpp"
 
@@ -85,7 +86,7 @@ TEST_F(ToolMotionAlong, TheToolPassesEveryWaypointInTime) {
 TEST_F(ToolMotionAlong, TheMessageHasTheSameMotion) {
   const TimedGoals found = motion_along(waypoints(write(1.5, true)));
   const JointSpline read =
-      load_planned_motion({{folder_.write("message.yaml", found.message)}, true}, *robot_);
+      load_planned_motion({{folder_.write("message.yaml", found.message)}, Segments::kAsRos}, *robot_);
   ASSERT_EQ(read.end(), found.motion.end());
   for (double time = 0.0; time < read.end(); time += 0.013)
     EXPECT_LT((read.at(time).position - found.motion.at(time).position).cwiseAbs().maxCoeff(), 1e-6) << time;
@@ -106,7 +107,7 @@ TEST_F(ToolMotionAlong, WhatTheArmCannotFollowIsRefusedWithTheFile) {
 TEST_F(ToolMotionAlong, BecomesAScenarioOfAControllersStudy) {
   ControllerStudyInputs inputs;
   inputs.robot = "ur5e";
-  inputs.controllers = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/ros2_controllers.yaml";
+  inputs.controllers = test::source_dir() + "/examples/joint_trajectory/ros2_controllers.yaml";
   inputs.trajectories = {write(1.5, true)};
   EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder_ / "none"); }),
               HasSubstr("waypoints.csv"))
@@ -131,7 +132,7 @@ TEST_F(ToolMotionAlong, BecomesAScenarioOfAControllersStudy) {
   };
   EXPECT_EQ(tool_terms(study).size(), 2U);
   inputs.trajectories.insert(inputs.trajectories.begin(),
-                             ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/moves.csv");
+                             test::source_dir() + "/examples/joint_trajectory/moves.csv");
   for (const ObjectiveTerm& term :
        tool_terms(load_study(write_controller_study(inputs, folder_ / "both").value().study)))
     EXPECT_THAT(term.scenarios, testing::ElementsAre(1U)) << name(term.metric);

@@ -87,7 +87,7 @@ TEST_F(YardstickOfARun, HasTheResultOfThePlannerForEveryEvent) {
   EXPECT_EQ(yardstick_csv(outcome.measures), yardstick_csv(expected));
   EXPECT_EQ(yardstick_csv(listener.measures), yardstick_csv(expected));
   EXPECT_EQ(test::read_text(files_ / "own.csv"), yardstick_csv(expected));
-  EXPECT_EQ(outcome.files, (std::vector<std::string>{files_ / "own.csv", files_ / "own.yaml"}));
+  EXPECT_EQ(outcome.files, (std::vector<std::string>{files_ / "own.csv", files_ / "own.json"}));
   EXPECT_FALSE(fs::exists(run_ + "/yardstick.csv"));
 }
 

@@ -13,9 +13,11 @@
 #include "tests/tuner/report/support/recorded.hpp"
 #include "tests/tuner/report/support/written_run.hpp"
 #include "tuner/journal/journal.hpp"
+#include "tuner/report/kind_of_folder.hpp"
 #include "tuner/report/report.hpp"
 #include "tuner/report/run_report.hpp"
 #include "tuner/report/tables.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal::report {
 namespace page_test {
@@ -83,7 +85,9 @@ TEST(Page, ShowsMarkupInNamesAndNeverHoldsIt) {
   Scene scene = read_scene(folder / "scene.json");
   scene.arms.front().name = "</script><script>alert(2)</script>";
   folder.write("scene.json", scene_json(scene));
-  folder.write("run.yaml", "command: \"armtune <script>alert(3)</script>\"\n");
+  RunRecord run;
+  run.command = "armtune <script>alert(3)</script>";
+  folder.write(kRunRecord, run_record_json(run));
   const std::string json = report_json(report_of(folder.path()));
   EXPECT_EQ(json.find('<'), std::string::npos);
   const auto data = parsed(json);
@@ -132,6 +136,15 @@ TEST(RunReport, KnowsARunByItsFilesAndRefusesWhatIsNone) {
   header.arguments = {"pareto", "study.yaml"};
   Journal::begin(folder / "journal.txt", header);
   EXPECT_EQ(kind_of(folder.path()), RunKind::kPareto) << "killed before there was a front";
+  RunRecord run;
+  run.kind = RunKind::kCompare;
+  folder.write(kRunRecord, run_record_json(run));
+  EXPECT_EQ(kind_of(folder.path()), RunKind::kCompare) << "its record tells it";
+  run.kind = RunKind::kMargins;
+  folder.write(kRunRecord, run_record_json(run));
+  EXPECT_EQ(kind_of(folder.path()), RunKind::kPareto) << "the other files decide: this kind has no page";
+  folder.write(kRunRecord, "{");
+  EXPECT_EQ(kind_of(folder.path()), RunKind::kPareto) << "the other files decide: the record is damaged";
 }
 
 TEST(RunReport, DrawsEveryScenarioWithItsOwnArm) {
@@ -152,13 +165,24 @@ TEST(RunReport, LeavesOutTheFileThatCannotBeUnderstoodAndNamesIt) {
   const TemporaryFolder folder;
   write_run(folder, {"only"}, {{"gains", ".", "errors.csv"}}, 1);
   folder.write("rollout_only.csv", "time,state\n0,zero\n");
-  folder.write("run.yaml", "command: [\n");
+  folder.write(kRunRecord, "{\"command\": [");
   const ReportData data = report_of(folder.path());
   ASSERT_EQ(data.left_out.size(), 2U);
-  EXPECT_THAT(data.left_out[0], HasSubstr("run.yaml"));
+  EXPECT_THAT(data.left_out[0], HasSubstr(kRunRecord));
   EXPECT_THAT(data.left_out[1], HasSubstr("rollout_only.csv"));
   EXPECT_THAT(data.verdict.details, testing::Contains("Left out: " + data.left_out[1]));
   EXPECT_EQ(data.tables.size(), 1U) << "the rest is there";
+}
+
+TEST(RunReport, OfAnOlderArmtuneSaysSoAndDoesNotCallTheRunUnfinished) {
+  const TemporaryFolder folder;
+  write_run(folder, {"only"}, kTwoSets, 1);
+  folder.write("evaluations.csv", "phase,objective,feasible,violation\nstart,1,1,0\n");
+  EXPECT_THAT(report_of(folder.path()).verdict.sentence, HasSubstr("not finished"));
+  folder.write(kOldRunRecord, "command: \"armtune tune\"\n");
+  const ReportData data = report_of(folder.path());
+  EXPECT_THAT(data.verdict.sentence, testing::Not(HasSubstr("not finished")));
+  EXPECT_THAT(data.left_out, testing::Contains(HasSubstr(folder / kOldRunRecord)));
 }
 
 TEST(RunReport, OfManyArmsNamesNoMomentThatIsNoArms) {

@@ -15,6 +15,7 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 #include "tuner/report/plan_recording.hpp"
 #include "tuner/report/run_report.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal::report {
 namespace plan_report_test {
@@ -23,7 +24,7 @@ using testing::HasSubstr;
 
 constexpr std::size_t kBytes = 4'000'000;
 
-/// A folder as `armtune plan` leaves it, but for run.yaml's versions and machine.
+/// A folder as `armtune plan` leaves it, but for the versions and the machine in run.json.
 struct Folder {
   PlanTask task;
   PlanProblem problem;
@@ -40,10 +41,12 @@ struct Folder {
     Scene scene = scene_of({task.scenario}, {{"plan", ".", ""}}, task.clearance);
     scene.scenarios.front().name = task.name;
     files.write("scene.json", scene_json(scene));
-    std::string run = "command: \"armtune plan\"\n";
-    for (const auto& entry : plan_entries(task, problem, planned, uses))
-      run += entry.first + ": \"" + entry.second + "\"\n";
-    files.write("run.yaml", run);
+    RunRecord run;
+    run.kind = RunKind::kPlan;
+    run.command = "armtune plan";
+    run.wall_seconds = 1.5;
+    run.plan = plan_facts(task, problem, planned, uses);
+    files.write(kRunRecord, run_record_json(run));
   }
 };
 
@@ -162,14 +165,25 @@ TEST(PlanReport, TheVerdictNamesTheTimeAndWhatHoldsItBack) {
   EXPECT_EQ(test::at(page, "kind").as_string(), "plan");
   EXPECT_EQ(test::at(page, "scenarios/0/limits").items().size(), data.scenarios.front().limits.size());
   EXPECT_EQ(test::at(page, "plan/start").as_number(), 8.0);
-  EXPECT_FALSE(test::at(page, "plan/figures").items().empty());
+  const RunRecord record = find_run_record(a_switch().files.path()).value();
+  ASSERT_TRUE(record.plan);
+  EXPECT_EQ(data.plan->scenario, record.plan->scenario);
+  EXPECT_EQ(data.provenance.command, "armtune plan");
+  const auto& figures = data.plan->figures;
+  EXPECT_THAT(figures,
+              testing::Contains(testing::Pair("knots of the time grid",
+                                              std::to_string(a_switch().planned.trajectory.time.size()))));
+  EXPECT_THAT(figures, testing::Contains(testing::Pair("wall clock seconds", "1.500")));
+  EXPECT_THAT(figures,
+              testing::Contains(testing::Pair("interior-point steps on all grids",
+                                              std::to_string(a_switch().planned.interior_iterations))));
 }
 
 TEST(PlanReport, WhatIsMissingOrSpoiltIsLeftOutAndSaid) {
   const Folder& whole = a_switch();
-  for (const char* gone : {"limits.csv", "run.yaml", "scene.json"}) {
+  for (const char* gone : {"limits.csv", kRunRecord, "scene.json"}) {
     const test::TemporaryFolder folder;
-    for (const char* file : {"motion.csv", "limits.csv", "run.yaml", "scene.json"}) {
+    for (const char* file : {"motion.csv", "limits.csv", kRunRecord, "scene.json"}) {
       if (std::string(file) != gone) folder.write(file, test::read_text(whole.files / file));
     }
     const ReportData data = report_of(folder.path(), kBytes);

@@ -7,7 +7,6 @@
 
 #include "core/robot/kinematics.hpp"
 #include "core/trajectory/polyline.hpp"
-#include "sim/cell/stl_file.hpp"
 #include "tests/sim/cell/rods.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/report/support/decode.hpp"
@@ -237,25 +236,6 @@ TEST(Arm, MeshesAreLoadedOrTheirLinksAreCapsules) {
   EXPECT_EQ(kinds[1], ShapeKind::kCapsule);
   EXPECT_EQ(kinds[2], ShapeKind::kCapsule);
   EXPECT_EQ(kinds[3], ShapeKind::kMesh);
-}
-
-TEST(StlFile, IsReadWholeOrNotAtAll) {
-  const TemporaryFolder folder;
-  const auto read = [&](const std::string& text, std::size_t most = 100) {
-    return read_binary_stl(folder.write("a.stl", text), most);
-  };
-  ASSERT_TRUE(read(stl(kCorners, 2)));
-  EXPECT_EQ(*read(stl(kCorners, 2)), kCorners);
-  EXPECT_FALSE(read(stl(kCorners, 3))) << "cut off";
-  EXPECT_FALSE(read(stl(kCorners, 1))) << "something behind its end";
-  EXPECT_FALSE(read(stl(kCorners, 0xffffffffU)));
-  EXPECT_FALSE(read(stl(kCorners, 2), 1)) << "more than are wanted";
-  EXPECT_FALSE(read(""));
-  auto infinite = kCorners;
-  infinite[4] = INFINITY;
-  EXPECT_FALSE(read(stl(infinite, 2)));
-  EXPECT_FALSE(read_binary_stl(folder / "missing.stl", 10));
-  EXPECT_FALSE(read_binary_stl(folder.path(), 10)) << "a folder";
 }
 
 }  // namespace scene_test

@@ -144,8 +144,9 @@ class RobustnessSection : public testing::Test {
         samples_[i].broken[s] = broken_limit(result, arm_limits(), scenarios_[s]);
       }
     }
-    section_ = robustness_of(CsvTable::parse(samples_csv(scenarios_, {}, samples_), "samples.csv"),
-                             "joint_velocity/max_ratio <= 1; joint_position/min_margin >= 0", {});
+    section_ = robustness_of(
+        CsvTable::parse(samples_csv(scenarios_, {}, samples_), "samples.csv"),
+        {{Metric::kJointVelocityMaxRatio, true, 1.0}, {Metric::kJointPositionMinMargin, false, 0.0}}, {});
   }
 
   std::vector<Scenario> scenarios_;

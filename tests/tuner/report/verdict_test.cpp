@@ -73,8 +73,10 @@ VerdictFacts tuned_facts(double limit) {
   facts.study.emplace();
   facts.study->terms = {{Metric::kOrientationMax, {"a", "b"}}, {Metric::kEffortRateRms, {"a"}}};
   facts.study->limits = {{Metric::kJointVelocityMaxRatio, true, limit, {"a", "b"}}};
-  facts.run = {
-      {"objective", "0.31"}, {"ended", "budget used up"}, {"feasible", limit < 0.88 ? "false" : "true"}};
+  RunRecord& run = facts.record.emplace();
+  run.search.emplace().reason = "budget used up";
+  run.search->ended = SearchEnd::kEvaluations;
+  run.tuned = {!(limit < 0.88), 0.31, ""};
   return facts;
 }
 
@@ -165,11 +167,11 @@ TEST(Verdict, WithoutAFeasiblePointSaysSoFirstAndNamesTheConstraint) {
 
 TEST(Verdict, OfAnInterruptedRunSaysSoFirst) {
   VerdictFacts facts = tuned_facts(0.9);
-  facts.run["ended"] = "stopped by a signal";
-  facts.run["interrupted"] = "true";
+  facts.record->search->ended = SearchEnd::kInterrupted;
+  facts.record->search->reason = "stopped by a signal";
   EXPECT_THAT(verdict_of(tuned_data(), facts).sentence, testing::StartsWith("Interrupted"));
-  facts.run["ended"] = "the phase 'interrupted' used up its budget";
-  facts.run["interrupted"] = "false";
+  facts.record->search->ended = SearchEnd::kEvaluations;
+  facts.record->search->reason = "the phase 'interrupted' used up its budget";
   EXPECT_THAT(verdict_of(tuned_data(), facts).sentence, Not(HasSubstr("Interrupted")));
 }
 
@@ -178,7 +180,7 @@ TEST(Verdict, OfARunThatGotNoBetterDoesNotSayItDid) {
   data.tables = tables_of({errors_of({result_of("a", {{Metric::kOrientationMax, 0.1}})}),
                            errors_of({result_of("a", {{Metric::kOrientationMax, 0.2}})})});
   VerdictFacts facts = tuned_facts(0.9);
-  facts.run["objective"] = "1.2";
+  facts.record->tuned->objective = 1.2;
   const Verdict verdict = verdict_of(data, facts);
   EXPECT_THAT(verdict.sentence, AllOf(HasSubstr("did not improve"), Not(HasSubstr("falls by"))));
 }

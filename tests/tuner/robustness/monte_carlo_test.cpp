@@ -240,12 +240,18 @@ TEST(Limits, AreReadAndToldApart) {
 }
 
 TEST(Limits, WhatIsNoneIsRefused) {
-  EXPECT_THAT(test::refusal([] { parse_limit("joint_velocity/max_ratio"); }), HasSubstr("METRIC<=VALUE"));
-  EXPECT_THAT(test::refusal([] { parse_limit("joint_velocity/max_ratio<0.9"); }), HasSubstr("METRIC<=VALUE"));
-  EXPECT_THAT(test::refusal([] { parse_limit("joint_velocity/max_rato<=0.9"); }),
-              HasSubstr("joint_velocity/max_ratio"));
-  EXPECT_THAT(test::refusal([] { parse_limit("gaze/rms<=much"); }),
-              HasSubstr("'much' is not a finite number"));
+  using test::refused_at;
+  for (const std::string text : {"joint_velocity/max_ratio", "joint_velocity/max_ratio<0.9"}) {
+    EXPECT_THAT([&] { parse_limit(text); },
+                refused_at({.key = "limit", .value = text, .limit = "METRIC<=VALUE or METRIC>=VALUE"}));
+  }
+  const InputError misspelt = test::input_error([] { parse_limit("joint_velocity/max_rato<=0.9"); });
+  EXPECT_THAT(misspelt, refused_at({.key = "limit",
+                                    .value = "joint_velocity/max_rato",
+                                    .limit = HasSubstr("joint_velocity/max_ratio")}));
+  EXPECT_THAT(misspelt.what(), HasSubstr("did you mean 'joint_velocity/max_ratio'"));
+  EXPECT_THAT([] { parse_limit("gaze/rms<=much"); },
+              refused_at({.key = "limit", .value = "much", .limit = "a finite number"}));
 }
 
 }  // namespace monte_carlo_test

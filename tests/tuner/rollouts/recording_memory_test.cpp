@@ -16,6 +16,7 @@
 namespace armtune::internal {
 namespace recording_memory_test {
 
+using test::refused_at;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -61,10 +62,15 @@ TEST(RecordingMemory, CountsWhatIsInMemoryAtTheSameTime) {
 TEST(RecordingMemory, IsRefusedWithTheScenarioItsSizeAndAStrideThatFits) {
   const std::vector<Scenario> scenarios = two_of(10.0, 2e5);
   const double usable = 0.1 * kGigabyte;
-  const std::string message =
-      test::refusal([&] { require_recording_memory(scenarios, 5, 1, RecordingUse::kWritten, usable); });
-  EXPECT_THAT(message, AllOf(HasSubstr("longer"), HasSubstr("GB"), HasSubstr("--record-every"),
-                             HasSubstr(scenarios[1].source)));
+  const InputError error =
+      test::input_error([&] { require_recording_memory(scenarios, 5, 1, RecordingUse::kWritten, usable); });
+  EXPECT_THAT(error, refused_at({.file = scenarios[1].source,
+                                 .key = "duration",
+                                 .value = testing::EndsWith(" GB"),
+                                 .limit = "at most 0.1 GB"}));
+  EXPECT_GT(std::stod(error.value()), 0.1);
+  const std::string message = error.what();
+  EXPECT_THAT(message, AllOf(HasSubstr("recording of longer"), HasSubstr("--record-every")));
   const std::string before = " only one in ";
   const std::size_t at = message.find(before);
   ASSERT_NE(at, std::string::npos) << message;
@@ -79,11 +85,12 @@ TEST(RecordingMemory, IsAskedForBeforeAnythingIsSimulated) {
   options.record_stride = 1;
   options.recorded = [](std::size_t, const Recorder&, bool) { FAIL() << "something was recorded"; };
   const std::atomic<bool> never{false};
-  EXPECT_THAT(test::refusal([&] {
-                simulate(
-                    scenarios, [](const Scenario& s) { return test::published_gains(s); }, options, never);
-              }),
-              HasSubstr("longer"));
+  const InputError error = test::input_error([&] {
+    simulate(
+        scenarios, [](const Scenario& s) { return test::published_gains(s); }, options, never);
+  });
+  EXPECT_THAT(error, refused_at({.file = scenarios[1].source, .key = "duration"}));
+  EXPECT_THAT(error.what(), HasSubstr("recording of longer"));
 }
 
 TEST(RecordingMemory, OfALimitOfTheShellWhatIsInUseAlreadyDoesNotCount) {

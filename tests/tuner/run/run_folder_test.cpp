@@ -7,11 +7,12 @@
 #include <optional>
 
 #include "core/common/input_file.hpp"
-#include "sim/yaml/document.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/tuner/run/support/records.hpp"
 #include "tuner/run/append_file.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/input_copies.hpp"
+#include "tuner/run/write_run_record.hpp"
 
 namespace armtune::internal {
 namespace run_folder_test {
@@ -62,7 +63,7 @@ TEST(RunFolder, APathThatLeavesNoRoomForFilesOrNoNameIsRefused) {
   }
 }
 
-TEST(Provenance, TellsOfAndKeepsTheBytesThatWereReadWhateverBecameOfTheFiles) {
+TEST(RunInputs, TellsOfAndKeepsTheBytesThatWereReadWhateverBecameOfTheFiles) {
   const test::TemporaryFolder folder;
   fs::create_directories(folder / "a");
   fs::create_directories(folder / "b");
@@ -79,22 +80,21 @@ TEST(Provenance, TellsOfAndKeepsTheBytesThatWereReadWhateverBecameOfTheFiles) {
   for (const std::string& file : files) (void)read_input_file(file, 1000, "a text");
   for (const std::string& file : files) std::ofstream(file) << "edited";
   fs::remove(files[1]);
-  Provenance p;
-  p.inputs = {files[2], files[0], files[1], files[0], log};
-  write_provenance(folder / "run", p);
+  write_run_record(folder / "run", {}, {{files[2], files[0], files[1], files[0], log}});
 
-  const yaml::Node run = yaml::parse_file(folder / "run/run.yaml");
+  const RunRecord run = find_run_record(folder / "run").value();
+  EXPECT_EQ(run.inputs.size(), files.size() + 1) << "each once";
   for (std::size_t i = 0; i < files.size(); ++i) {
-    EXPECT_EQ(run.find("inputs")->find(files[i])->as_string(), hashes[i]);
-    const std::string copy = run.find("copies")->find(files[i])->as_string();
-    EXPECT_EQ(test::read_text(folder / ("run/" + copy)), texts[i]) << copy;
+    const InputFact input = test::input_in(run, files[i]);
+    EXPECT_EQ(input.hash, hashes[i]);
+    EXPECT_EQ(test::read_text(folder / ("run/" + input.copy)), texts[i]) << input.copy;
   }
-  EXPECT_EQ(run.find("inputs")->find(log)->as_string(), hash_of_file(log));
-  EXPECT_EQ(run.find("copies")->find(log), nullptr);
+  EXPECT_EQ(test::input_in(run, log).hash, hash_of_file(log));
+  EXPECT_EQ(test::input_in(run, log).copy, "");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "run/inputs"), {}), 3);
 }
 
-TEST(Provenance, CopiesMadeAtTheBeginningAreThoseThatRunYamlNames) {
+TEST(RunInputs, CopiesMadeAtTheBeginningAreThoseThatTheRecordNames) {
   const test::TemporaryFolder folder;
   fs::create_directories(folder / "run/start");
   const std::string a = folder.write("a.yaml", "first\n");
@@ -105,19 +105,17 @@ TEST(Provenance, CopiesMadeAtTheBeginningAreThoseThatRunYamlNames) {
   for (const std::string& file : {a, b, c, own}) (void)read_input_file(file, 1000, "a text");
   const auto begun = keep_inputs(folder / "run", {c, b});
   ASSERT_EQ(begun.size(), 2U);
-  Provenance p;
-  p.inputs = {a, b, c, own};  // more of them than at first
-  write_provenance(folder / "run", p);
-  const yaml::Node copies = *yaml::parse_file(folder / "run/run.yaml").find("copies");
-  for (const auto& [file, copy] : begun) EXPECT_EQ(copies.find(file)->as_string(), copy);
-  EXPECT_EQ(test::read_text(folder / ("run/" + copies.find(a)->as_string())), "first\n");
-  EXPECT_EQ(copies.find(own), nullptr) << "it is in the folder already";
+  write_run_record(folder / "run", {}, {{a, b, c, own}});  // more of them than at first
+  const RunRecord run = find_run_record(folder / "run").value();
+  for (const auto& [file, copy] : begun) EXPECT_EQ(test::input_in(run, file).copy, copy);
+  EXPECT_EQ(test::read_text(folder / ("run/" + test::input_in(run, a).copy)), "first\n");
+  EXPECT_EQ(test::input_in(run, own).copy, "") << "it is in the folder already";
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "run/inputs"), {}), 3);
-  EXPECT_EQ(copy_of_hash(folder / "run", hash_of_file(b)), folder / ("run/" + copies.find(b)->as_string()));
+  EXPECT_EQ(copy_of_hash(folder / "run", hash_of_file(b)), folder / ("run/" + test::input_in(run, b).copy));
   EXPECT_EQ(copy_of_hash(folder / "run", hash_of_file(own)), std::nullopt);
 }
 
-TEST(Provenance, CopiesBehindALinkAreNotTheRuns) {
+TEST(RunInputs, CopiesBehindALinkAreNotTheRuns) {
   const test::TemporaryFolder folder;
   fs::create_directories(folder / "run");
   fs::create_directories(folder / "elsewhere");
@@ -127,7 +125,7 @@ TEST(Provenance, CopiesBehindALinkAreNotTheRuns) {
   EXPECT_EQ(where_copies_are(folder / "run"), "");
 }
 
-TEST(Provenance, ACopyThatSomebodyChangedIsNotTakenForTheInput) {
+TEST(RunInputs, ACopyThatSomebodyChangedIsNotTakenForTheInput) {
   const test::TemporaryFolder folder;
   fs::create_directories(folder / "run");
   const std::string a = folder.write("a.yaml", "first\n");

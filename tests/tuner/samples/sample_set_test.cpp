@@ -11,6 +11,7 @@
 namespace armtune::internal {
 namespace sample_set_test {
 
+using test::refused_at;
 using testing::HasSubstr;
 
 const std::atomic<bool> kNever{false};
@@ -183,17 +184,27 @@ TEST(RobustKeys, ThatAreWrongAreRefusedWithFileAndLine) {
   const auto refused = [](const std::string& robust) {
     const test::ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
                                  robust);
-    return test::refusal([&] { load_study(files.path()); });
+    InputError error = test::input_error([&] { load_study(files.path()); });
+    EXPECT_THAT(error, refused_at({.file = files.path(), .line = 13}));
+    return error;
   };
-  EXPECT_THAT(refused("robust: {measure: median}\n"),
-              HasSubstr("'median' is not one of: mean, quantile, worst, cvar"));
-  EXPECT_THAT(refused("robust: {level: 1}\n"), HasSubstr("between 0 and 1"));
-  EXPECT_THAT(refused("robust: {samples: 0}\n"), HasSubstr("samples"));
-  EXPECT_THAT(refused("robust: {samples: 1001}\n"), HasSubstr("1000"));
-  EXPECT_THAT(refused("robust: {samples: 2.7}\n"), HasSubstr("samples")) << "no half arms";
+  EXPECT_THAT(
+      refused("robust: {measure: median}\n"),
+      refused_at(
+          {.key = "robust/measure", .value = "median", .limit = "one of: mean, quantile, worst, cvar"}));
+  EXPECT_THAT(refused("robust: {level: 1}\n"),
+              refused_at({.key = "robust/level", .value = "1", .limit = "between 0 and 1, both excluded"}));
+  for (const std::string samples : {"0", "1001"}) {
+    EXPECT_THAT(refused("robust: {samples: " + samples + "}\n"),
+                refused_at({.key = "robust/samples", .value = samples, .limit = "1 .. 1000"}));
+  }
+  EXPECT_THAT(refused("robust: {samples: 2.7}\n"), refused_at({.key = "robust/samples", .value = "2.7"}))
+      << "no half arms";
   EXPECT_THAT(refused("robust: {uncertainty: {mass: 1.5}}\n"),
-              testing::AllOf(HasSubstr("study.yaml:"), HasSubstr("mass is 1.5"), HasSubstr("[0, 1)")));
-  EXPECT_THAT(refused("robust: {uncertainty: {masses: 0.1}}\n"), HasSubstr("mass"));
+              refused_at({.key = "robust/uncertainty/mass", .value = "1.5", .limit = "in [0, 1)"}));
+  const InputError misspelt = refused("robust: {uncertainty: {masses: 0.1}}\n");
+  EXPECT_THAT(misspelt, refused_at({.key = "robust/uncertainty/masses", .value = "masses"}));
+  EXPECT_THAT(misspelt.what(), HasSubstr("did you mean 'mass'"));
 }
 
 }  // namespace sample_set_test

@@ -49,6 +49,7 @@ TEST(Tune, GivesTheSameJournalForAnyNumberOfWorkersWhateverTheSearchIs) {
     EXPECT_EQ(without_times(one.journal), without_times(three.journal)) << search;
     EXPECT_EQ(one.result.evaluations, study.max_evaluations) << search;
     EXPECT_EQ(one.result.reason, three.result.reason);
+    EXPECT_EQ(one.result.ended, three.result.ended);
     for (const Evaluation& e : one.evaluations) EXPECT_FALSE(better(e, one.result.best));
   }
 }

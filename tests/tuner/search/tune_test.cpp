@@ -132,6 +132,7 @@ TEST(Tune, InterruptedItGivesTheBestSoFar) {
   const Tuned tuned = run(study, 2, files / "evaluations.csv", &stop, 4);
   EXPECT_TRUE(tuned.result.interrupted);
   EXPECT_EQ(tuned.result.reason, "interrupted");
+  EXPECT_EQ(tuned.result.ended, SearchEnd::kInterrupted);
   ASSERT_EQ(tuned.evaluations.size(), 4U);
   EXPECT_EQ(tuned.result.evaluations, 4);
   for (const Evaluation& e : tuned.evaluations) EXPECT_FALSE(better(e, tuned.result.best));

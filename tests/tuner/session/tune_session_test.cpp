@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "tests/tuner/support/short_study.hpp"
+#include "tuner/run/file_hash.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal {
 namespace tune_session_test {
@@ -84,7 +86,7 @@ TEST(TuneSession, ItWritesWhatItNamesAndPrintsNothing) {
   const TuneOutcome outcome = run(study, settings_in(files / "run"));
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_THAT(outcome.files, testing::IsSupersetOf({"gains.yaml", "errors.csv", "evaluations.csv", "run.yaml",
+  EXPECT_THAT(outcome.files, testing::IsSupersetOf({"gains.yaml", "errors.csv", "evaluations.csv", "run.json",
                                                     "study.yaml", "verdict.yaml", "scene.json"}));
   for (const std::string& file : outcome.files) {
     EXPECT_TRUE(file.find('<') != std::string::npos || fs::is_regular_file(files / ("run/" + file))) << file;
@@ -93,6 +95,16 @@ TEST(TuneSession, ItWritesWhatItNamesAndPrintsNothing) {
   EXPECT_EQ(load_gains(files / "run/gains.yaml", joint_names(*study.scenarios.front().robot))
                 .slerpDurationErrorGain,
             outcome.result.best.gains.slerpDurationErrorGain);
+  const RunRecord record = find_run_record(files / "run").value();
+  EXPECT_EQ(record.kind, RunKind::kTune);
+  ASSERT_TRUE(record.search && record.tuned);
+  EXPECT_EQ(record.search->evaluations, outcome.result.evaluations);
+  EXPECT_EQ(record.search->ended, outcome.result.ended);
+  EXPECT_NE(record.search->ended, SearchEnd::kInterrupted);
+  EXPECT_EQ(record.search->engine, study.engine);
+  EXPECT_EQ(record.tuned->objective, outcome.result.best.objective);
+  EXPECT_EQ(record.tuned->feasible, outcome.result.best.feasible);
+  EXPECT_EQ(record.tuned->gains_hash, hash_of_file(files / "run/gains.yaml"));
 }
 
 TEST(TuneSession, InterruptedItIsResumedToTheSameBytes) {
@@ -103,6 +115,7 @@ TEST(TuneSession, InterruptedItIsResumedToTheSameBytes) {
   const TuneOutcome part = run(study, settings_in(files / "parts"), interrupter);
   EXPECT_EQ(part.ending, Ending::kInterrupted);
   EXPECT_TRUE(part.result.interrupted);
+  EXPECT_EQ(find_run_record(files / "parts")->search->ended, SearchEnd::kInterrupted);
   EXPECT_LT(part.result.evaluations, whole.result.evaluations);
   Interrupter rest(kNever);
   const TuneOutcome resumed = run(study, settings_in(files / "parts", true), rest);

@@ -114,7 +114,7 @@ TEST(Together, AnExceptionOfASearchEndsAllAndReachesTheCaller) {
       for (const SolverPoint& point : request.points) request.values.push_back(valley(point.x));
     }
   };
-  EXPECT_THAT(test::refusal([&] { minimize_together(searches, answer); }), testing::HasSubstr("'NONE'"));
+  EXPECT_THAT([&] { minimize_together(searches, answer); }, test::refused_at({.value = "NONE"}));
 }
 
 TEST(Together, NoSearchesAreDoneAtOnce) {

@@ -17,6 +17,7 @@
 namespace armtune::internal {
 namespace corner_test {
 
+using test::refused_at;
 using testing::HasSubstr;
 
 const std::atomic<bool> kNever{false};
@@ -145,12 +146,19 @@ TEST(Corner, RolloutsAreOfTheNominalArmAndWhatIsMissingIsTheConstraint) {
 }
 
 TEST(Corner, ADemandOfNothingOrOfHalfAPeriodIsRefused) {
-  for (const char* margins : {"margins: {}\n", "margins: {delay_periods: 0.5}\n", "margins: {gain: 0.5}\n",
-                              "margins: {gains: 1.2}\n"}) {
+  const auto refused = [](const std::string& margins) {
     const test::ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
-                                 test::kShortSearch + margins);
-    EXPECT_THAT(test::refusal([&] { load_study(files.path()); }), HasSubstr("margins")) << margins;
-  }
+                                 test::kShortSearch + "margins: {" + margins + "}\n");
+    return test::input_error([&] { load_study(files.path()); });
+  };
+  EXPECT_THAT(refused(""),
+              refused_at({.line = 14, .key = "margins", .limit = testing::StartsWith("one of: ")}));
+  EXPECT_THAT(
+      refused("delay_periods: 0.5"),
+      refused_at({.line = 14, .key = "margins/delay_periods", .value = "0.5", .limit = "a whole number"}));
+  EXPECT_THAT(refused("gain: 0.5"),
+              refused_at({.line = 14, .key = "margins/gain", .value = "0.5", .limit = "1 to 100"}));
+  EXPECT_THAT(refused("gains: 1.2"), refused_at({.line = 14, .key = "margins/gains", .value = "gains"}));
 }
 
 /// What is checked is what the file asks for: half a period would be cut to none without a word.
@@ -159,9 +167,13 @@ TEST(Corner, AVerdictOfHalfAPeriodOrOfHalfAnArmIsRefused) {
   std::ifstream file(files.path());
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const std::string without = text.substr(0, text.find("verdict:"));
-  for (const char* verdict : {"verdict: {delay_periods: 1.5}\n", "verdict: {arms: 20.5}\n"}) {
-    files.write("study.yaml", without + verdict);
-    EXPECT_THAT(test::refusal([&] { load_study(files.path()); }), HasSubstr("whole number")) << verdict;
+  for (const auto& [key, value] : {std::pair("delay_periods", "1.5"), std::pair("arms", "20.5")}) {
+    files.write("study.yaml", without + "verdict: {" + key + ": " + value + "}\n");
+    EXPECT_THAT([&] { return load_study(files.path()); }, refused_at({.file = files.path(),
+                                                                      .line = 14,
+                                                                      .key = std::string("verdict/") + key,
+                                                                      .value = value,
+                                                                      .limit = "a whole number"}));
   }
 }
 

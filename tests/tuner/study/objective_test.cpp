@@ -6,58 +6,16 @@
 
 #include <cmath>
 
-#include "tests/sim/support/files.hpp"
+#include "tests/tuner/study/two_scenarios.hpp"
 
 namespace armtune::internal {
 namespace objective_test {
 
+using test::completed;
+using test::diverged;
+using test::ObjectiveOfTwoScenarios;
+using test::refused_at;
 using testing::HasSubstr;
-
-/// A completed rollout with these values in every metric that the tests look at.
-RolloutResult completed(double position, double orientation, double ratio, double clearance) {
-  RolloutResult r;
-  r.end_time = 10.0;
-  r.metrics[Metric::kPositionMax] = position;
-  r.metrics[Metric::kOrientationMax] = orientation;
-  r.metrics[Metric::kJointVelocityMaxRatio] = ratio;
-  r.metrics[Metric::kObstacleMinClearance] = clearance;
-  return r;
-}
-
-RolloutResult diverged(double end_time) {
-  RolloutResult r;
-  r.status = RolloutStatus::kDiverged;
-  r.end_time = end_time;
-  r.reason = "diverged early";
-  return r;
-}
-
-/// Two scenarios of 10 s: positions weigh 1 in both, orientation weighs 3 in the second.
-class ObjectiveOfTwoScenarios : public testing::Test {
- protected:
-  ObjectiveOfTwoScenarios() {
-    scenarios_.resize(2);
-    scenarios_[0].name = "plain";
-    scenarios_[1].name = "hard";
-    for (Scenario& s : scenarios_) s.duration = 10.0;
-    scenarios_[1].obstacles.resize(1);  // there clearance is judged
-  }
-
-  Objective objective() const { return {terms_, constraints_, scenarios_, start_, "study.yaml"}; }
-  Evaluation judged(std::vector<RolloutResult> results) const {
-    Evaluation e;
-    e.results = std::move(results);
-    objective().judge(e);
-    return e;
-  }
-
-  std::vector<Scenario> scenarios_;
-  std::vector<RolloutResult> start_ = {completed(0.002, 0.02, 0.4, NAN), completed(0.004, 0.04, 0.8, 0.2)};
-  std::vector<ObjectiveTerm> terms_ = {{Metric::kPositionMax, 1.0, 0.0, {0, 1}},
-                                       {Metric::kOrientationMax, 3.0, 0.0, {1}}};
-  std::vector<Constraint> constraints_ = {{Metric::kJointVelocityMaxRatio, true, 0.9, {0, 1}},
-                                          {Metric::kObstacleMinClearance, false, {}, {0, 1}}};
-};
 
 TEST_F(ObjectiveOfTwoScenarios, TheStartScoresExactlyOne) {
   const Evaluation e = judged(start_);
@@ -186,46 +144,6 @@ TEST_F(ObjectiveOfTwoScenarios, WhateverCompletesIsBetterThanWhatIsHopeless) {
   EXPECT_LT(judged({start_[0], completed(1e9, 1e9, 1e9, -1e9)}).objective, late.objective);
 }
 
-TEST_F(ObjectiveOfTwoScenarios, EndsRolloutsAtTwiceTheVelocityLimitWhereItIsJudged) {
-  constraints_[0].scenarios = {1};
-  const Objective o = objective();
-  ASSERT_EQ(o.end_limits().size(), 2U);
-  EXPECT_TRUE(o.end_limits()[0].empty()) << "the constraint does not list it";
-  ASSERT_EQ(o.end_limits()[1].size(), 1U) << "clearance is never hopeless by default";
-  EXPECT_EQ(o.end_limits()[1][0].metric, Metric::kJointVelocityMaxRatio);
-  EXPECT_DOUBLE_EQ(o.end_limits()[1][0].value, 1.8);
-  constraints_[0].hopeless.kind = Hopeless::Kind::kNever;
-  EXPECT_TRUE(objective().end_limits()[1].empty());
-}
-
-TEST_F(ObjectiveOfTwoScenarios, EndsRolloutsAtTwiceTheStartsValueWhereThatIsTheLimit) {
-  constraints_[0].limit.reset();
-  EXPECT_DOUBLE_EQ(objective().end_limits()[0].at(0).value, 2.0 * 0.4);
-  EXPECT_DOUBLE_EQ(objective().end_limits()[1].at(0).value, 2.0 * 0.8);
-}
-
-TEST_F(ObjectiveOfTwoScenarios, AStatedEndHoldsOnlyWhereTheMetricApplies) {
-  constraints_[1].hopeless = {Hopeless::Kind::kFrom, 0.05};
-  EXPECT_EQ(objective().end_limits()[0].size(), 1U) << "no obstacles there";
-  ASSERT_EQ(objective().end_limits()[1].size(), 2U);
-  const EndLimit end = objective().end_limits()[1][1];
-  EXPECT_TRUE(end.reached_by(0.05));
-  EXPECT_FALSE(end.reached_by(0.051)) << "of clearance more is better";
-  EXPECT_FALSE(end.reached_by(NAN));
-}
-
-TEST_F(ObjectiveOfTwoScenarios, TheStartIsNeverHopeless) {
-  start_[1].metrics[Metric::kJointVelocityMaxRatio] = 1.9;
-  EXPECT_FALSE(objective().end_limits()[0].empty());
-  EXPECT_TRUE(objective().end_limits()[1].empty()) << "where the start passes the default there is none";
-  constraints_[0].hopeless = {Hopeless::Kind::kFrom, 1.8};
-  EXPECT_THAT(test::refusal([&] { objective(); }),
-              testing::AllOf(testing::StartsWith("study.yaml"), HasSubstr("joint_velocity/max_ratio"),
-                             HasSubstr("hard"), HasSubstr("1.9"), HasSubstr("1.8"), HasSubstr("never")));
-  constraints_[0].hopeless.value = 1.95;
-  EXPECT_FALSE(objective().end_limits()[1].empty());
-}
-
 TEST_F(ObjectiveOfTwoScenarios, MoreDivergedScenariosAreWorse) {
   EXPECT_GT(judged({diverged(5.0), diverged(5.0)}).violation, judged({start_[0], diverged(5.0)}).violation);
   EXPECT_GT(judged({diverged(5.0), diverged(5.0)}).objective, judged({start_[0], diverged(5.0)}).objective);
@@ -240,21 +158,6 @@ TEST_F(ObjectiveOfTwoScenarios, WithoutSamplesACandidateIsInfeasibleWithFiniteSc
   EXPECT_TRUE(std::isfinite(e.objective));
   EXPECT_GT(e.objective, 1.0);
   EXPECT_EQ(e.status, "no period counted");
-}
-
-TEST_F(ObjectiveOfTwoScenarios, AStartThatGivesNoReferenceIsRefused) {
-  const auto message = [&] { return test::refusal([&] { objective(); }); };
-  const auto whole = start_;
-  start_[1].metrics[Metric::kOrientationMax] = NAN;
-  EXPECT_THAT(message(), testing::AllOf(testing::StartsWith("study.yaml"), HasSubstr("error/orientation/max"),
-                                        HasSubstr("hard"), HasSubstr("floor")));
-  start_[1].metrics[Metric::kOrientationMax] = 0.0;
-  EXPECT_THAT(message(), testing::AllOf(HasSubstr("error/orientation/max"), HasSubstr("reference")));
-  terms_[1].floor = 1e-3;
-  EXPECT_NO_THROW(objective());
-  start_ = whole;
-  start_[0] = diverged(1.0);
-  EXPECT_THAT(message(), testing::AllOf(HasSubstr("plain"), HasSubstr("diverged early")));
 }
 
 TEST_F(ObjectiveOfTwoScenarios, ABetterValueOfAnyMetricIsABetterCandidate) {
@@ -281,10 +184,13 @@ TEST_F(ObjectiveOfTwoScenarios, AMarginThatIsPassedAtTheStartNeedsAFloorAndThenH
   constraints_.clear();
   for (const double start : {0.0, -0.05}) {
     start_[1].metrics[Metric::kObstacleMinClearance] = start;
-    EXPECT_THAT(test::refusal([&] { objective(); }),
-                testing::AllOf(testing::StartsWith("study.yaml"), HasSubstr("obstacle/min_clearance"),
-                               HasSubstr("hard"), HasSubstr(fmt::format("{}", start)), HasSubstr("floor"),
-                               HasSubstr("at_least")));
+    const InputError error = refusal();
+    EXPECT_THAT(error, refused_at({.file = "study.yaml",
+                                   .key = "objective/0",
+                                   .value = fmt::format("{}", start),
+                                   .limit = "above zero"}));
+    EXPECT_THAT(error.what(), HasSubstr("'floor'"));
+    EXPECT_THAT(error.what(), HasSubstr("'at_least' needs no reference"));
   }
   terms_[0].floor = 0.1;
   double last = HUGE_VAL;

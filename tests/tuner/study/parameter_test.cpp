@@ -127,7 +127,8 @@ TEST_F(Parameters, WhatDoesNotFitIsRefusedByName) {
   };
   EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = 90.0; }), with("90", "below the upper bound 80"));
   EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper; }), with("80", "below the upper bound 80"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper = p.start = 0.0; }), with("", ""));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper = p.start = 0.0; }),
+              with("0", "above zero, or with bounds"));
   EXPECT_THAT(refusal_after([](Parameter& p) { p.upper = HUGE_VAL; }), with("inf", "finite"));
   EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = std::nan(""); }),
               with("nan", "below the upper bound 80"));

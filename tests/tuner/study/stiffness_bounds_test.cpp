@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "core/control/laws/controller_kind.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
 namespace stiffness_bounds_test {
 
+using test::refused_at;
 using test::ShortStudy;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -43,10 +45,8 @@ TEST(StiffnessBounds, StiffnessIsNotTunedUnlessItsBoundsAreGiven) {
       EXPECT_EQ(tuned[axis].upper, axis < 3 ? 1e7 : 1e6);
     }
     EXPECT_THAT(note_on_stiffness(study), IsEmpty());
-    EXPECT_THAT(test::refusal([&] {
-                  bound_stiffness({1e7, 1e6}, study);
-                }),
-                AllOf(HasSubstr("study.yaml"), HasSubstr(gain + "/x")));
+    const auto twice = [&] { bound_stiffness({1e7, 1e6}, study); };
+    EXPECT_THAT(twice, refused_at({.file = files.path(), .key = gain + "/x"}));
   }
 }
 
@@ -62,7 +62,7 @@ TEST(StiffnessBounds, AStartAboveItsBoundIsLoweredToIt) {
 }
 
 TEST(StiffnessBounds, JointsTakeOneNumberOrOneForEach) {
-  const std::string path = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/study.yaml";
+  const std::string path = test::source_dir() + "/examples/joint_trajectory/study.yaml";
   Study one = load_study(path, "joint_impedance");
   EXPECT_THAT(note_on_stiffness(one), HasSubstr("joint_impedance_k"));
   bound_stiffness({1e5}, one);
@@ -73,23 +73,27 @@ TEST(StiffnessBounds, JointsTakeOneNumberOrOneForEach) {
   // Where no task of the tool is followed, the stiffness of its axes does not act.
   Study task = load_study(path, "impedance");
   EXPECT_THAT(note_on_stiffness(task), IsEmpty());
-  EXPECT_THAT(test::refusal([&] { bound_stiffness({1e5, 1e5}, task); }), HasSubstr("has no effect"));
+  const auto without_task = [&] { bound_stiffness({1e5, 1e5}, task); };
+  EXPECT_THAT(without_task, refused_at({.key = "--max-stiffness", .value = ""}));
 }
 
 TEST(StiffnessBounds, WhatDoesNotFitIsRefused) {
   const ShortStudy files;
   const auto refused = [&files](const char* kind, const std::vector<double>& most) {
-    return test::refusal([&] {
+    return test::input_error([&] {
       Study study = load_study(files.path(), kind);
       bound_stiffness(most, study);
     });
   };
-  EXPECT_THAT(refused("adaptive", {100.0}), AllOf(HasSubstr("--max-stiffness"), HasSubstr("adaptive")));
-  EXPECT_THAT(refused("impedance", {100.0}), AllOf(HasSubstr("1 numbers"), HasSubstr("impedance_k has 6")));
+  const InputError none = refused("adaptive", {100.0});
+  EXPECT_THAT(none, refused_at({.file = "", .key = "--max-stiffness", .value = ""}));
+  EXPECT_THAT(none.what(), HasSubstr("adaptive"));
+  EXPECT_THAT(refused("impedance", {100.0}),
+              refused_at({.file = "", .key = "--max-stiffness", .value = "1", .limit = "2 or 6 numbers"}));
   // Six joints are not the six axes of a task.
-  EXPECT_THAT(
-      refused("joint_impedance", {100.0, 200.0}),
-      AllOf(HasSubstr("2 numbers"), HasSubstr("joint_impedance_k has 6"), HasSubstr("one for all joints")));
+  const InputError joints = refused("joint_impedance", {100.0, 200.0});
+  EXPECT_THAT(joints, refused_at({.key = "--max-stiffness", .value = "2", .limit = "1 or 6 numbers"}));
+  EXPECT_THAT(joints.what(), HasSubstr("joint_impedance_k has 6"));
   EXPECT_THAT(note_on_stiffness(load_study(files.path())), IsEmpty());
 }
 
@@ -98,8 +102,8 @@ TEST(StiffnessBounds, AStudyThatNamesAStiffnessGivesItsUpperBound) {
     return load_study(
         ShortStudy("controller: impedance\nparameters: [{name: impedance_k/x" + bounds + "}]\n").path());
   };
-  EXPECT_THAT(test::refusal([&] { study(""); }),
-              AllOf(HasSubstr("study.yaml:5"), HasSubstr("impedance_k/x"), HasSubstr("'upper'")));
+  EXPECT_THAT([&] { return study(""); },
+              refused_at({.line = 5, .key = "parameters/0", .limit = "the key 'upper'"}));
   const Parameter given = study(", upper: 1e5").space.free.front();
   EXPECT_EQ(given.upper, 1e5);
   EXPECT_DOUBLE_EQ(given.lower, 0.2 * given.start);

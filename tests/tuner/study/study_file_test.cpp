@@ -7,6 +7,7 @@
 
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/study/study.hpp"
 
@@ -90,9 +91,10 @@ TEST(StudyFile, OfAnotherControllerTunesThatOnesGainsFromTheirStart) {
 
 TEST(StudyFile, GainsOfTheToolsMotionAreNotTunedWhereJointMotionsAreFollowedAlone) {
   for (const ControllerKind* kind : controller_kinds()) {
-    const std::string path = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/study.yaml";
+    const std::string path = test::source_dir() + "/examples/joint_trajectory/study.yaml";
     if (kind->name == "cartesian_impedance") {  // it has no others
-      EXPECT_THAT(test::refusal([&] { load_study(path, kind->name); }), HasSubstr("take another controller"));
+      EXPECT_THAT([&] { return load_study(path, kind->name); },
+                  test::refused_at({.file = path, .line = 0, .key = "parameters"}));
       continue;
     }
     const Study study = load_study(path, kind->name);
@@ -210,7 +212,7 @@ TEST(StudyFile, SelectsForceGainsInEitherForm) {
 }
 
 TEST(StudyFile, EveryBundledAndCommittedStudyLoads) {
-  const std::string results = ARMTUNE_SOURCE_DIR "/results";
+  const std::string results = test::source_dir() + "/results";
   std::vector<std::string> studies = bundled_names("studies");
   for (const auto& entry : std::filesystem::recursive_directory_iterator(results)) {
     if (entry.path().filename().string().ends_with("study.yaml")) studies.push_back(entry.path().string());

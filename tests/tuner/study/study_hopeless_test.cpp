@@ -11,6 +11,7 @@ namespace study_hopeless_test {
 
 using test::ShortStudy;
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 
 const std::string kEnds =
@@ -51,8 +52,12 @@ TEST(StudyFile, OnManyArmsOnlyTheWorstMakesACandidateHopeless) {
     for (const Constraint& c : with_measure(measure, test::kShortConstraints).constraints) {
       EXPECT_EQ(c.hopeless.kind, Hopeless::Kind::kNever) << measure;
     }
-    EXPECT_THAT(test::refusal([&] { with_measure(measure, kEnds); }),
-                AllOf(HasSubstr("study.yaml:"), HasSubstr("hopeless"), HasSubstr("worst")));
+    EXPECT_THAT([&] { return with_measure(measure, kEnds); },
+                test::refused_at({.file = EndsWith("study.yaml"),
+                                  .line = 11,
+                                  .key = "constraints/0/hopeless",
+                                  .value = "1.5",
+                                  .limit = "never or auto"}));
   }
 }
 

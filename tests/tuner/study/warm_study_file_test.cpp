@@ -9,6 +9,7 @@
 namespace armtune::internal {
 namespace warm_study_file_test {
 
+using test::refused_at;
 using test::ShortStudy;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -19,12 +20,12 @@ class WarmStudyFile : public testing::Test {
   std::string with(const std::string& warm) const {
     return files_.write("warm.yaml", test::read_text(files_.path()) + "warm_start:\n  " + warm + "\n");
   }
-  std::string refusal(const std::string& warm) const {
+  /// Returns the error with which a warm start is refused. Its first key is in line 16 of the study.
+  InputError refusal(const std::string& warm) const {
     const std::string path = with(warm);
-    const std::string message = test::refusal([&] { load_study(path); });
-    EXPECT_THAT(message, testing::StartsWith(path + ":"));
-    EXPECT_THAT(message, HasSubstr("key 'warm_start"));
-    return message;
+    InputError error = test::input_error([&] { load_study(path); });
+    EXPECT_THAT(error, refused_at({.file = path, .key = testing::StartsWith("warm_start")}));
+    return error;
   }
   /// A gains file, the study's own but for the two that are tuned.
   void gains(const std::string& name, double rx, double slerp) const {
@@ -127,9 +128,8 @@ TEST_F(WarmStudyFile, ATunedGainThatTheWarmGainsLeaveOutIsRefusedUnlessOthersAre
   warm.gains = space.start;
   warm.gains.task_space_gains_p[3] = 40.0;
   warm.gains.joint_space_goal.resize(0);
-  EXPECT_THAT(
-      test::refusal([&] { warm_point(space, warm); }),
-      AllOf(HasSubstr("other.yaml: no joint_space_goal"), HasSubstr("restrict warm_start/parameters")));
+  EXPECT_THAT([&] { return warm_point(space, warm); },
+              refused_at({.file = "other.yaml", .line = 0, .key = space.free.back().entry.name}));
   warm.parameters = {"task_space_gains_p"};
   const WarmPoint point = warm_point(space, warm);
   EXPECT_NEAR(space.gains_at(point.x).task_space_gains_p[3], 40.0, 1e-12);
@@ -138,17 +138,29 @@ TEST_F(WarmStudyFile, ATunedGainThatTheWarmGainsLeaveOutIsRefusedUnlessOthersAre
 
 TEST_F(WarmStudyFile, WhatCannotBeBegunAtIsRefused) {
   gains("other.yaml", 40.0, 3.0);
-  EXPECT_THAT(refusal("from: nowhere.yaml"), HasSubstr("nowhere.yaml"));
-  EXPECT_THAT(refusal("box: 0.5"), HasSubstr("from"));
-  EXPECT_THAT(refusal("from: other.yaml\n  parameters: [adaptation_gain]"),
-              AllOf(HasSubstr(":"), HasSubstr("'adaptation_gain' is not tuned by this study")));
-  EXPECT_THAT(refusal("from: other.yaml\n  parameters: [task_space_gains_p/rxx]"),
-              HasSubstr("did you mean 'task_space_gains_p/rx'"));
-  EXPECT_THAT(refusal("from: other.yaml\n  parameters: []"), HasSubstr("empty"));
-  EXPECT_THAT(refusal("from: other.yaml\n  box: 0"), HasSubstr("above 0"));
-  EXPECT_THAT(refusal("from: other.yaml\n  box: 2"), HasSubstr("2"));
-  EXPECT_THAT(refusal("from: other.yaml\n  step: 0.9"), HasSubstr("0.9"));
-  EXPECT_THAT(refusal("from: other.yaml\n  boxes: 0.9"), HasSubstr("did you mean 'box'"));
+  EXPECT_THAT(refusal("from: nowhere.yaml"),
+              refused_at({.line = 16, .key = "warm_start/from", .value = "nowhere.yaml"}));
+  EXPECT_THAT(refusal("box: 0.5"), refused_at({.line = 15, .key = "warm_start", .limit = "the key 'from'"}));
+  const InputError untuned = refusal("from: other.yaml\n  parameters: [task_space_gains_p, adaptation_gain]");
+  EXPECT_THAT(untuned, refused_at({.line = 17,
+                                   .key = "warm_start/parameters/1",
+                                   .value = "adaptation_gain",
+                                   .limit = "one of: task_space_gains_p/rx, slerpDurationErrorGain"}));
+  const InputError misspelt = refusal("from: other.yaml\n  parameters: [task_space_gains_p/rxx]");
+  EXPECT_THAT(misspelt,
+              refused_at({.line = 17, .key = "warm_start/parameters/0", .value = "task_space_gains_p/rxx"}));
+  EXPECT_THAT(misspelt.what(), HasSubstr("did you mean 'task_space_gains_p/rx'"));
+  EXPECT_THAT(refusal("from: other.yaml\n  parameters: []"),
+              refused_at({.line = 17, .key = "warm_start/parameters", .value = ""}));
+  EXPECT_THAT(refusal("from: other.yaml\n  box: 0"),
+              refused_at({.line = 17, .key = "warm_start/box", .value = "0", .limit = "above 0"}));
+  EXPECT_THAT(refusal("from: other.yaml\n  box: 2"),
+              refused_at({.line = 17, .key = "warm_start/box", .value = "2", .limit = "0 to 1"}));
+  EXPECT_THAT(refusal("from: other.yaml\n  step: 0.9"),
+              refused_at({.line = 17, .key = "warm_start/step", .value = "0.9", .limit = "1e-06 to 0.5"}));
+  const InputError unknown = refusal("from: other.yaml\n  boxes: 0.9");
+  EXPECT_THAT(unknown, refused_at({.line = 17, .key = "warm_start/boxes", .value = "boxes"}));
+  EXPECT_THAT(unknown.what(), HasSubstr("did you mean 'box'"));
 }
 
 }  // namespace warm_study_file_test

@@ -39,7 +39,10 @@ TEST(Criterion, IsTheObjectiveOrAMetricsWorstOverTheScenarios) {
 }
 
 TEST(Criterion, OfAnotherNameIsRefusedWithAGuess) {
-  EXPECT_THAT(test::refusal([] { criterion_from_name("gaze/rmz"); }), testing::HasSubstr("gaze/rms"));
+  const InputError error = test::input_error([] { criterion_from_name("gaze/rmz"); });
+  EXPECT_THAT(error,
+              test::refused_at({.value = "gaze/rmz", .limit = testing::StartsWith("one of: objective, ")}));
+  EXPECT_THAT(error.what(), testing::HasSubstr("did you mean 'gaze/rms'"));
 }
 
 TEST(Criterion, WithoutADirectionIsRefused) {
@@ -48,7 +51,9 @@ TEST(Criterion, WithoutADirectionIsRefused) {
       EXPECT_EQ(criterion_from_name(name(m)).larger_is_better(), field(m).better == Better::kMore);
       continue;
     }
-    EXPECT_THAT(test::refusal([m] { criterion_from_name(name(m)); }), testing::HasSubstr(name(m)));
+    EXPECT_THAT([m] { criterion_from_name(name(m)); },
+                test::refused_at(
+                    {.value = name(m), .limit = "a metric of which larger or smaller values are better"}));
   }
 }
 

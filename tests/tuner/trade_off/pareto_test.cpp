@@ -246,7 +246,9 @@ TEST_F(Pareto, AStopLeavesTheFrontSoFar) {
 
 TEST_F(Pareto, ACriterionThatTheStartDoesNotGiveIsRefused) {
   options_.criteria[1] = criterion_from_name("obstacle/min_clearance");
-  EXPECT_THAT(test::refusal([this] { run(2); }), testing::HasSubstr("obstacle/min_clearance is nan"));
+  EXPECT_THAT([this] { run(2); },
+              test::refused_at(
+                  {.key = "obstacle/min_clearance", .value = "nan", .limit = "finite, and other than 0"}));
 }
 
 }  // namespace pareto_test

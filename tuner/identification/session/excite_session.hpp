@@ -22,12 +22,17 @@ struct ExciteSettings {
   std::string trajectory;           ///< file with a given trajectory; empty: one is designed
   ExcitationOptions design;         ///< options of the design; the session sets their `progress`
   ExcitationLogOptions log;
+  std::vector<std::string> cell_files;  ///< files of waypoints from which the cell of the robot file was read
 };
 
 struct ExciteOutcome {
   Ending ending = Ending::kInterrupted;
   Excitation excitation;
   ExcitationUse use;
+  /// Smallest distances along the trajectory; none if they are not checked. Valid as long as the settings'
+  /// model.
+  LeastClearances nearest;
+  std::string contact;  ///< sentences that say which distances were checked, and which were not
   std::optional<ExcitationDesign> design;  ///< none if the trajectory was given
   std::vector<std::string> files;          ///< names of the files in the folder
 };
@@ -55,6 +60,8 @@ class ExciteSession {
   void write_trajectory();
   /// Returns false if the simulation was interrupted.
   bool write_log(const Scenario& scenario);
+  /// Writes run.json. seconds: wall time of the run.
+  void write_record(double seconds);
 
   ExciteSettings settings_;
   SessionContext context_;

@@ -1,7 +1,6 @@
 #include "tuner/identification/session/identify_session.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 
@@ -12,6 +11,7 @@
 #include "tuner/identification/identification_files.hpp"
 #include "tuner/identification/theta_doubts.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/write_run_record.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -23,6 +23,20 @@ constexpr long kSamplesShown = 20000;  ///< samples between two progress reports
 std::vector<std::string> find_doubts(const RobotModel& model, const Identification& found) {
   if (found.comparison.mistake) return {to_text(*found.comparison.mistake, model)};
   return theta_doubts(model, found);
+}
+
+/// Returns the rms torque of every joint, and the rms errors of the models.
+std::vector<JointTorqueFact> torques_of(const RobotModel& model, const Identification& found) {
+  std::vector<JointTorqueFact> torques;
+  for (int j = 0; j < model.n(); ++j) {
+    JointTorqueFact& torque = torques.emplace_back();
+    torque.joint = model.joints[static_cast<std::size_t>(j)].name;
+    torque.rms = found.fitted.torque[j];
+    torque.fitted = found.fitted.by_theta[j];
+    if (found.held_out.rows > 0) torque.held_out = found.held_out.by_theta[j];
+    torque.robot_file = found.fitted.by_file[j];
+  }
+  return torques;
 }
 
 /// Removes the folder if it is empty. It is made before the logs are read, because reading can take minutes.
@@ -80,30 +94,25 @@ void IdentifySession::write_files() {
   write_text_file(folder + "/base_parameters.csv", base_parameters_csv(model, found));
   write_text_file(folder + "/robot.urdf", urdf_text(identified));
   write_text_file(folder + "/robot.yaml", identified_robot_yaml(identified, "robot.urdf"));
-  Provenance p;
-  p.command = context_.invocation.line;
+  write_record();
+  outcome_.files = {"theta.yaml", "base_parameters.csv", "robot.urdf", "robot.yaml", kRunRecord};
+}
+
+void IdentifySession::write_record() const {
+  const RobotModel& model = *settings_.model;
+  const Identification& found = outcome_.found;
+  RunRecord record;
+  record.kind = RunKind::kIdentify;
+  record.command = context_.invocation.line;
+  record.wall_seconds = outcome_.seconds;
+  record.identification = {static_cast<long>(found.samples), static_cast<long>(found.base.rank()),
+                           found.estimate.condition,         found.made_physical,
+                           torques_of(model, found),         outcome_.doubts};
+  FilesRead files{model.files};
+  if (!settings_.columns_path.empty()) files.inputs.push_back(settings_.columns_path);
   for (std::size_t i = 0; i < settings_.logs.size(); ++i)
-    p.streamed.emplace_back(settings_.logs[i], found.log_hashes[i]);
-  p.inputs = model.files;
-  if (!settings_.columns_path.empty()) p.inputs.push_back(settings_.columns_path);
-  p.wall_seconds = outcome_.seconds;
-  p.extra = {{"samples", fmt::format("{}", found.samples)},
-             {"base_parameters", fmt::format("{}", found.base.rank())},
-             {"condition_number", fmt::format("{:.6g}", found.estimate.condition)},
-             {"made_physical", found.made_physical ? "yes" : "no"}};
-  const auto add = [&](const char* key, const Eigen::VectorXd& values) {
-    for (int j = 0; j < model.n(); ++j) {
-      p.extra.emplace_back(fmt::format("{}/{}", key, model.joints[static_cast<std::size_t>(j)].name),
-                           fmt::format("{:.6g}", values[j]));
-    }
-  };
-  add("torque_rms", found.fitted.torque);
-  add("torque_not_explained/fitted", found.fitted.by_theta);
-  if (found.held_out.rows > 0) add("torque_not_explained/held_out", found.held_out.by_theta);
-  add("torque_not_explained/robot_file", found.fitted.by_file);
-  if (!doubts.empty()) p.extra.emplace_back("accepted_although", fmt::format("{}", fmt::join(doubts, "; ")));
-  write_provenance(folder, p);
-  outcome_.files = {"theta.yaml", "base_parameters.csv", "robot.urdf", "robot.yaml", "run.yaml"};
+    files.streamed.emplace_back(settings_.logs[i], found.log_hashes[i]);
+  write_run_record(settings_.folder, std::move(record), files);
 }
 
 }  // namespace armtune::internal

@@ -43,6 +43,7 @@ class IdentifySession {
 
  private:
   void write_files();
+  void write_record() const;
 
   IdentifySettings settings_;
   SessionContext context_;

@@ -13,7 +13,7 @@ namespace {
 
 /// Limits that the program enforces at the knots only.
 struct AtKnotsOnly {
-  const char* key;  ///< part of a key of run.yaml
+  const char* key;  ///< kind in run.json
   std::vector<LimitKind> kinds;
 };
 
@@ -104,40 +104,32 @@ std::string between_words(const std::vector<LimitUse>& uses) {
   return parts.empty() ? std::string() : fmt::format("between the knots: {}", fmt::join(parts, ", "));
 }
 
-std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& task,
-                                                              const PlanProblem& problem,
-                                                              const PlannedTrajectory& planned,
-                                                              const std::vector<LimitUse>& uses) {
+PlanFacts plan_facts(const PlanTask& task, const PlanProblem& problem, const PlannedTrajectory& planned,
+                     const std::vector<LimitUse>& uses) {
   const SequentialQuadraticProgress& last = planned.result.last;
   const Trajectory& trajectory = planned.trajectory;
-  std::vector<std::string> phases;
+  PlanFacts facts;
+  facts.task = name(task.kind);
+  facts.scenario = task.scenario.name;
+  facts.headline = plan_headline(task, problem, planned);
+  facts.duration = trajectory.durations.front();
   const auto& grid = planned.program->task().grid;
-  phases.reserve(grid.phases.size());
-  for (std::size_t p = 0; p < grid.phases.size(); ++p) {
-    phases.push_back(fmt::format("{} {:.6g} s", grid.phases[p].name, trajectory.durations[p]));
-  }
-  std::vector<std::pair<std::string, std::string>> entries = {
-      {"task", name(task.kind)},
-      {"scenario", task.scenario.name},
-      {"headline", plan_headline(task, problem, planned)},
-      {"duration", fmt::format("{:.17g}", trajectory.durations.front())},
-      {"phases", fmt::format("{}", fmt::join(phases, ", "))},
-      {"knots", std::to_string(trajectory.time.size())},
-      {"violation", fmt::format("{:.3g}", last.violation)},
-      {"objective", fmt::format("{:.9g}", planned.objective())},
-      {"objective_weight", fmt::format("{:.3g}", planned.weight)},
-      {"kkt_stationarity", fmt::format("{:.3g}", last.stationarity)},
-      {"kkt_complementarity", fmt::format("{:.3g}", last.complementarity)},
-      {"interior_point_steps", std::to_string(planned.interior_iterations)}};
+  for (std::size_t p = 0; p < grid.phases.size(); ++p)
+    facts.phases.push_back({grid.phases[p].name, trajectory.durations[p]});
+  facts.knots = static_cast<long>(trajectory.time.size());
+  facts.violation = last.violation;
+  facts.objective = planned.objective();
+  facts.objective_weight = planned.weight;
+  facts.stationarity = last.stationarity;
+  facts.complementarity = last.complementarity;
+  facts.interior_point_steps = planned.interior_iterations;
   for (const AtKnotsOnly& limits : at_knots_only()) {
     const WorstUse worst = worst_between(uses, limits.kinds);
     if (worst.use == nullptr) continue;
-    entries.emplace_back(
-        fmt::format("between_knots_{}", limits.key),
-        fmt::format("{:.6g} times the limit, {} at {:.4f} s", worst.between,
-                    report::limit_words(worst.use->limit, worst.use->part), worst.use->between_time));
+    facts.between_knots.push_back(
+        {limits.key, worst.use->limit, worst.use->part, worst.between, worst.use->between_time});
   }
-  return entries;
+  return facts;
 }
 
 }  // namespace armtune::internal

@@ -1,7 +1,8 @@
 #pragma once
-// Describes the result of a plan in words and numbers, for the terminal, run.yaml and the report.
+// Describes the result of a plan in words and numbers, for the terminal, run.json and the report.
 
 #include "tuner/planning/output/limit_use.hpp"
+#include "tuner/run/run_facts.hpp"
 
 namespace armtune::internal {
 
@@ -21,10 +22,8 @@ std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& pro
 /// enforces at the knots only.
 std::string between_words(const std::vector<LimitUse>& uses);
 
-/// Returns the keys and values that a plan adds to those that run.yaml has for every run.
-std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& task,
-                                                              const PlanProblem& problem,
-                                                              const PlannedTrajectory& planned,
-                                                              const std::vector<LimitUse>& uses);
+/// Returns what run.json tells about a plan, in addition to what it tells about every run.
+PlanFacts plan_facts(const PlanTask& task, const PlanProblem& problem, const PlannedTrajectory& planned,
+                     const std::vector<LimitUse>& uses);
 
 }  // namespace armtune::internal

@@ -12,6 +12,7 @@
 #include "tuner/planning/output/scenario_file.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/write_run_record.hpp"
 #include "tuner/session/report_files.hpp"
 
 namespace armtune::internal {
@@ -74,16 +75,17 @@ void PlanSession::write_files() {
                                  {"trajectory_msgs/JointTrajectory by armtune plan, task " + task.name,
                                   contact_note(task) + " Run the motion slowly first."}));
   write_text_file(folder + "/" + planned_scenario_name(task), planned_scenario_yaml(task));
-  Provenance p;
-  p.command = context_.invocation.line;
-  p.inputs = {task.source};
-  if (!task.start.rollout.empty()) p.inputs.push_back(task.start.rollout);
-  add_inputs({task.scenario}, p.inputs);
-  p.wall_seconds = outcome_.seconds;
-  p.extra = plan_entries(task, problem, planned, outcome_.uses);
-  write_provenance(folder, p);
+  RunRecord record;
+  record.kind = RunKind::kPlan;
+  record.command = context_.invocation.line;
+  record.wall_seconds = outcome_.seconds;
+  record.plan = plan_facts(task, problem, planned, outcome_.uses);
+  FilesRead files{{task.source}};
+  if (!task.start.rollout.empty()) files.inputs.push_back(task.start.rollout);
+  add_inputs({task.scenario}, files.inputs);
+  write_run_record(folder, std::move(record), files);
   outcome_.files = {"trajectory.csv", "motion.csv",  "limits.csv", "joint_trajectory.yaml",
-                    "task.yaml",      "columns.csv", "run.yaml",   planned_scenario_name(task)};
+                    "task.yaml",      "columns.csv", kRunRecord,   planned_scenario_name(task)};
   const auto pages = add_report(
       folder, [&task] { return scene_of_plan(task); }, observer_);
   outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());

@@ -10,6 +10,7 @@
 #include "core/common/file_path.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/run/run_file.hpp"
+#include "tuner/run/run_record.hpp"
 #include "tuner/session/changed_inputs.hpp"
 #include "tuner/study/study.hpp"
 
@@ -65,8 +66,9 @@ std::vector<Scenario> studied(const std::string& run) {
 }
 
 Scenario found_scenario(const std::string& name, const std::string& rollout, const RunInputs& inputs) {
-  std::string told = "is not bundled, and run.yaml names no file for it";
-  for (const auto& [shown, hash] : inputs) {
+  std::string told = "is not bundled, and the run's record names no file for it";
+  for (const InputFact& input : inputs) {
+    const std::string& shown = input.path;
     if (stem(shown) != name || shown.starts_with(kBundled) || !shown.ends_with(".yaml")) continue;
     if (exists(shown)) return load_scenario(shown);
     told = fmt::format("was read from {}, which no longer exists", shown);
@@ -93,8 +95,8 @@ void refuse_changed(const Scenario& scenario, const std::string& run, const RunI
 
 std::string run_folder_of(const std::string& folder) {
   const std::string above = without_dots(folder + "/..");
-  const bool own = exists(folder + "/run.yaml");
-  return !own && exists(above + "/run.yaml") ? above : folder;
+  const bool own = exists(folder + "/" + kRunRecord);
+  return !own && exists(above + "/" + kRunRecord) ? above : folder;
 }
 
 std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::vector<std::string>& names) {

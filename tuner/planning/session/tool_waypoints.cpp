@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <memory>
 #include <string>
 #include <utility>
 
 #include "armtune/error.hpp"
 #include "sim/scenario/start_of_task.hpp"
-#include "sim/scenario/task_trouble.hpp"
-#include "sim/scenario/waypoints_file.hpp"
+#include "tuner/controller_study/tool_path.hpp"
 #include "tuner/planning/output/ros_trajectory.hpp"
 #include "tuner/planning/transcription/trajectory.hpp"
 
@@ -18,31 +16,6 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kCentering = 0.2;  // 1/s: motion in the null space towards the middle of the joints' ranges
-
-/// Returns the task of following the waypoints, from the time of the first to that of the last.
-Scenario task_of(const ToolWaypoints& waypoints) {
-  Scenario task;
-  task.name = waypoints.robot->name;
-  task.source = waypoints.file.path;
-  task.robot = waypoints.robot;
-  task.clearance = waypoints.clearance;
-  const bool turns = has_orientations(waypoints.file);
-  task.mask = turns ? TaskMask::kPose : TaskMask::kPosition;
-  auto spline = std::make_shared<const PositionSpline>(load_waypoints(waypoints.file, true));
-  // Without orientations any one will do: it is not tracked.
-  task.orientation = turns ? load_orientations(waypoints.file) : ToolOrientation();
-  task.start_time = spline->begin();
-  task.duration = spline->end() - spline->begin();
-  task.path.spline = std::move(spline);
-  return task;
-}
-
-/// Throws InputError if the arm cannot follow the task. The advice of a WalkTrouble is for scenarios.
-void check_walk(const PathWalk& walk, const Scenario& task) {
-  const std::string problem = trouble(walk, task).problem;
-  if (problem.empty()) return;
-  throw InputError(InputPlace{task.source}, problem + "; move the waypoints, or give a joint motion");
-}
 
 /// Throws InputError if a joint moves faster than its limit.
 void check_velocities(const Trajectory& motion, const ToolWaypoints& waypoints) {
@@ -83,9 +56,9 @@ Trajectory trajectory_of(const JointWalk& walked, double speed) {
 }  // namespace
 
 TimedGoals motion_along(const ToolWaypoints& waypoints) {
-  const Scenario task = task_of(waypoints);
+  const Scenario task = task_along(waypoints);
   const JointWalk walked = joints_along_path(task, best_start_of_task(task), kCentering);
-  check_walk(walked.walk, task);
+  require_passable(walked.walk, task);
   const Trajectory motion = trajectory_of(walked, waypoints.speed);
   check_velocities(motion, waypoints);
   std::vector<MotionPoint<JointVector>> knots;

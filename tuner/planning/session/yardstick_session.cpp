@@ -12,14 +12,15 @@
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/write_run_record.hpp"
 #include "tuner/session/report_files.hpp"
 
 namespace armtune::internal {
 namespace {
 
-/// Returns the path of the provenance file of a yardstick CSV file: the same path with the ending .yaml.
-std::string provenance_path(const std::string& csv) {
-  return std::filesystem::path(csv).replace_extension(".yaml").string();
+/// Returns the path of the record of a yardstick CSV file: the same path with the ending .json.
+std::string record_path(const std::string& csv) {
+  return std::filesystem::path(csv).replace_extension(".json").string();
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ YardstickOutcome YardstickSession::run() {
                      "is not a folder; give the run folder of 'tune' or of 'simulate --out'");
   if (!settings_.out.empty()) {
     refuse_existing(settings_.out);
-    refuse_existing(provenance_path(settings_.out));
+    refuse_existing(record_path(settings_.out));
   }
   const Stopwatch watch;
   const std::vector<Scenario> scenarios = rollout_scenarios(folder, settings_.scenarios);
@@ -49,19 +50,17 @@ YardstickOutcome YardstickSession::run() {
   return std::move(outcome_);
 }
 
-std::string YardstickSession::provenance_text(const std::vector<Scenario>& scenarios,
-                                              const RolloutMeasures& found, double seconds) const {
-  Provenance p;
-  p.command = context_.invocation.line;
-  p.inputs = {settings_.folder + "/gains.yaml"};
-  p.streamed = found.recordings;
-  add_inputs(scenarios, p.inputs);
-  p.wall_seconds = seconds;
-  p.extra = {{"events", std::to_string(found.measures.size())},
-             {"velocity", fmt::format("{}", settings_.options.velocity)},
-             {"effort", fmt::format("{}", settings_.options.effort)},
-             {"knots", std::to_string(settings_.options.knots)}};
-  return run_yaml(p);
+std::string YardstickSession::record_text(const std::vector<Scenario>& scenarios,
+                                          const RolloutMeasures& found, double seconds) const {
+  RunRecord record;
+  record.kind = RunKind::kYardstick;
+  record.command = context_.invocation.line;
+  record.wall_seconds = seconds;
+  record.yardstick = {static_cast<long>(found.measures.size()), settings_.options.velocity,
+                      settings_.options.effort, settings_.options.knots};
+  FilesRead files{{settings_.folder + "/gains.yaml"}, found.recordings};
+  add_inputs(scenarios, files.inputs);
+  return run_record_json(with_circumstances(std::move(record), files));
 }
 
 void YardstickSession::write_files(const std::vector<Scenario>& scenarios, const RolloutMeasures& found,
@@ -69,10 +68,10 @@ void YardstickSession::write_files(const std::vector<Scenario>& scenarios, const
   const bool own = settings_.out.empty();
   const std::string csv = own ? settings_.folder + "/yardstick.csv" : settings_.out;
   const std::string table = yardstick_csv(found.measures);
-  const std::string origin = provenance_text(scenarios, found, seconds);
+  const std::string record = record_text(scenarios, found, seconds);
   own ? write_text_file(csv, table) : write_new_text_file(csv, table);
-  own ? write_text_file(provenance_path(csv), origin) : write_new_text_file(provenance_path(csv), origin);
-  outcome_.files = {csv, provenance_path(csv)};
+  own ? write_text_file(record_path(csv), record) : write_new_text_file(record_path(csv), record);
+  outcome_.files = {csv, record_path(csv)};
   if (!own) return;
   const std::string run = run_folder_of(settings_.folder);
   if (const std::string columns = add_columns(run, {"yardstick.csv", yardstick_columns()}); !columns.empty())

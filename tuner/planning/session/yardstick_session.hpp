@@ -28,16 +28,16 @@ class YardstickSession {
   /// The observer must outlive the session.
   YardstickSession(YardstickSettings settings, SessionContext context, YardstickObserver& observer);
 
-  /// Runs the session; may be called once. Writes the comparison as a CSV file, and beside it its provenance
-  /// with the ending .yaml. Without `out` they are yardstick.csv and yardstick.yaml in the folder; the run's
+  /// Runs the session; may be called once. Writes the comparison as a CSV file, and beside it its record
+  /// with the ending .json. Without `out` they are yardstick.csv and yardstick.json in the folder; the run's
   /// columns.csv and its report are then updated too. Throws InputError if the folder has no rollouts or no
   /// gains, if a file of the run cannot be used, or if `out` exists already. Throws FailedError if a file
   /// cannot be written.
   YardstickOutcome run();
 
  private:
-  std::string provenance_text(const std::vector<Scenario>& scenarios, const RolloutMeasures& found,
-                              double seconds) const;
+  std::string record_text(const std::vector<Scenario>& scenarios, const RolloutMeasures& found,
+                          double seconds) const;
   void write_files(const std::vector<Scenario>& scenarios, const RolloutMeasures& found, double seconds);
   void write_report_again(const std::string& run);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "armtune/error.hpp"
+#include "core/common/input_place.hpp"
 #include "core/control/state_machine.hpp"
 #include "sim/csv/csv_table.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -22,10 +23,11 @@ std::size_t nearest_row(const std::vector<double>& time, const PlanTask& task) {
   }
   if (time.empty() || !(std::abs(time[row] - task.at) <= kApart))
     throw InputError(
-        InputPlace{shown_path(task.start.rollout)},
+        InputPlace{shown_path(task.start.rollout), 0, "time"},
         fmt::format("no row lies within {} s of {} s, where the task {} begins; give a rollout that "
                     "covers this time, or change 'at' in the task",
-                    kApart, task.at, task.name));
+                    kApart, task.at, task.name))
+        .with_value({}, fmt::format("a row within {} s of {} s", kApart, task.at));
   return row;
 }
 
@@ -85,10 +87,11 @@ ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot
     for (Eigen::Index k = 0; k < rows; ++k) {
       const std::size_t row = first + static_cast<std::size_t>(k);
       if (!std::isfinite(values[row]))
-        throw InputError(InputPlace{shown_path(task.start.rollout)},
+        throw InputError(at_line(shown_path(task.start.rollout), row + 2, column),
                          fmt::format("the row at {} s has no finite value of {}; give a complete rollout, or "
                                      "another 'start'",
-                                     time[row], column));
+                                     time[row], column))
+            .with_value({}, "a finite number");
       into(joint, k) = values[row];
     }
   };

@@ -43,10 +43,11 @@ PlanProblem fastest_problem(const PlanCommon& common) {
   const double turn = scenario.path.period();
   if (turn == 0.0)
     throw InputError(
-        InputPlace{shown_path(common.task.source)},
+        InputPlace{shown_path(common.task.source), 0, "scenario"},
         fmt::format("the tool path of {} stands still or does not close, so that a 'fastest' task cannot "
                     "go around it; give a scenario with a closed path",
-                    scenario.name));
+                    scenario.name))
+        .with_value(scenario.name, "a scenario with a closed path");
   const double from = common.task.at;
   const ToolCurve curve = [path = scenario.path, from](double s) { return path.at(from + s); };
   PlanProblem problem;

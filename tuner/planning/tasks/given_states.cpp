@@ -24,8 +24,11 @@ void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const 
            const char* advice) {
   if (const auto broken = broken_term(term, state))
     throw InputError(
-        InputPlace{shown_path(task.source)},
-        fmt::format("{}: {}, but the task's limit is {:.4g}; {}", key, broken->value, broken->limit, advice));
+        InputPlace{shown_path(task.source), 0, key},
+        fmt::format("{}: {}, but the task's limit is {:.4g}; {}", key, broken->value, broken->limit, advice))
+        .with_value(
+            fmt::format("{:.4g}", broken->number),
+            fmt::format("{} {:.4g}", broken->number < broken->limit ? "at least" : "at most", broken->limit));
 }
 
 }  // namespace
@@ -44,9 +47,10 @@ std::optional<BrokenTerm> broken_term(const KnotTerm& term, const Knot& state) {
   for (std::size_t row = 0; row < value.size(); ++row) {
     const bool below = value[row] < term.lower - kRounding;
     if (!below && value[row] <= term.upper + kRounding) continue;
-    return BrokenTerm{fmt::format("{} of {} would be {:.4g} {}", term.name, term.rows[row],
-                                  term.natural(row, value[row]), term.units[row]),
-                      term.natural(row, below ? term.lower : term.upper)};
+    const double number = term.natural(row, value[row]);
+    return BrokenTerm{
+        fmt::format("{} of {} would be {:.4g} {}", term.name, term.rows[row], number, term.units[row]),
+        term.natural(row, below ? term.lower : term.upper), number};
   }
   return std::nullopt;
 }

@@ -21,8 +21,9 @@ Knot at_rest(const RobotModel& robot, const JointVector& q, double time);
 
 /// A limit that a state violates. A term (knot_term.hpp) is a group of limits, such as those of the torques.
 struct BrokenTerm {
-  std::string value;   ///< in words: "torque of elbow_joint would be 161 N m"
-  double limit = 0.0;  ///< the violated limit, in the same unit
+  std::string value;    ///< in words: "torque of elbow_joint would be 161 N m"
+  double limit = 0.0;   ///< the violated limit, in the same unit
+  double number = 0.0;  ///< the value that violates it, in the same unit
 };
 
 /// Returns the first limit of the term that the state violates, or nothing if it violates none.

@@ -80,10 +80,14 @@ TimeGrid PlanCommon::grid(std::vector<Phase> phases) const {
 }
 
 void PlanCommon::no_pose(const Vec3& tool) const {
+  const std::string point = fmt::format("({:.4g}, {:.4g}, {:.4g}) m", tool.x(), tool.y(), tool.z());
   throw OutOfReach(
-      fmt::format("{}: within its joint limits, {} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m (with "
-                  "the tool's z axis on the gaze target, if the task requires it); move the path",
-                  shown_path(task.source), robot->name, tool.x(), tool.y(), tool.z()));
+      InputPlace{shown_path(task.source), 0, "scenario"},
+      InputFault{.problem = fmt::format(
+                     "within its joint limits, {} cannot place its tool at {} (with the tool's z axis on the "
+                     "gaze target, if the task requires it); move the path",
+                     robot->name, point),
+                 .value = point});
 }
 
 double PlanCommon::first_duration(double otherwise) const {

@@ -40,10 +40,14 @@ StartState given_start(const PlanTask& task, const RobotModel& robot, const Cont
   const auto pose = pose_at(robot, tool, target.at(from).position, scenario.start_position,
                             BestPose::kLargestManipulability);
   if (!pose) {
+    const std::string point = fmt::format("({:.4g}, {:.4g}, {:.4g}) m", tool.x(), tool.y(), tool.z());
     throw OutOfReach(
-        fmt::format("{}: within its joint limits, {} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m "
-                    "with the tool's z axis on the gaze target; move the path, or give a 'start'",
-                    shown_path(task.source), robot.name, tool.x(), tool.y(), tool.z()));
+        InputPlace{shown_path(task.source), 0, "scenario"},
+        InputFault{.problem = fmt::format(
+                       "within its joint limits, {} cannot place its tool at {} with the tool's z axis on "
+                       "the gaze target; move the path, or give a 'start'",
+                       robot.name, point),
+                   .value = point});
   }
   TimeGrid lead_in;
   lead_in.start = from;

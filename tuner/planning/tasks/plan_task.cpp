@@ -15,6 +15,7 @@
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 #include "sim/yaml/quoted.hpp"
+#include "tuner/planning/tasks/plan_task_checks.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -29,8 +30,11 @@ JointVector positive_values(yaml::MapReader& map, const char* key, const std::ve
   const yaml::Node* node = map.optional(key);
   if (node == nullptr) return {};
   JointVector values = yaml::joint_values(*node, joints);
-  if (!(values.array() > 0.0).all())
-    node->fail(fmt::format("a limit is {}; every limit must be > 0", values.minCoeff()));
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (!(values[i] > 0.0))
+      node_of_joint(*node, i, joints)
+          .fail(fmt::format("a limit is {}; every limit must be > 0", values[i]), "above 0");
+  }
   return values;
 }
 
@@ -44,10 +48,11 @@ PlanLimits read_limits(const yaml::Node& node, const RobotModel& robot) {
   const JointVector of_robot = robot.acceleration_limits();
   for (Eigen::Index i = 0; i < limits.acceleration.size(); ++i) {
     if (!(limits.acceleration[i] <= of_robot[i]))
-      map.required("acceleration")
+      node_of_joint(map.required("acceleration"), i, joints)
           .fail(fmt::format("the limit of {} is {}, above the robot's {}; give at most that",
                             joints[static_cast<std::size_t>(i)], cell(limits.acceleration[i]),
-                            cell(of_robot[i])));
+                            cell(of_robot[i])),
+                "at most " + cell(of_robot[i]));
   }
   limits.jerk = positive_values(map, "jerk", joints);
   map.finish();
@@ -61,7 +66,8 @@ PlanStart read_start(const yaml::Node& node, const std::vector<std::string>& joi
     start.rollout = rollout->as_string();
     if (!start.rollout.starts_with('/')) start.rollout = folder_of(node.file()) + "/" + start.rollout;
     if (map.has("position") || map.has("velocity"))
-      rollout->fail("cannot be combined with 'position' or 'velocity'; give either 'rollout' or these keys");
+      rollout->fail("cannot be combined with 'position' or 'velocity'; give either 'rollout' or these keys",
+                    "either 'rollout' or 'position' and 'velocity'");
     map.finish();
     return start;
   }
@@ -74,102 +80,19 @@ PlanStart read_start(const yaml::Node& node, const std::vector<std::string>& joi
   return start;
 }
 
-/// check_position() and check_size() throw InputError if a joint position, velocity or acceleration violates
-/// its limits. Otherwise, only the solver would find this.
-void check_position(const yaml::Node& node, const JointVector& values, const RobotModel& robot) {
-  for (int i = 0; i < robot.n(); ++i) {
-    const JointInfo& joint = robot.joints[static_cast<std::size_t>(i)];
-    if (joint.limits.has_position && !(values[i] >= joint.limits.lower && values[i] <= joint.limits.upper))
-      node.fail(fmt::format("{} is {}; its limits are {} .. {}", joint.name, cell(values[i]),
-                            cell(joint.limits.lower), cell(joint.limits.upper)));
-  }
-}
-
-void check_size(const yaml::Node& node, const JointVector& values, const JointVector& limits,
-                const RobotModel& robot) {
-  for (Eigen::Index i = 0; i < std::min(values.size(), limits.size()); ++i) {
-    if (!(std::abs(values[i]) <= limits[i]))
-      node.fail(fmt::format("{} is {}; its limit is {}", robot.joints[static_cast<std::size_t>(i)].name,
-                            cell(values[i]), cell(limits[i])));
-  }
-}
-
-void check_start_and_goal(yaml::MapReader& map, const PlanTask& task) {
-  const RobotModel& robot = *task.scenario.robot;
-  if (task.goal.size() > 0) check_position(map.required("goal"), task.goal, robot);
-  const yaml::Node* start = map.optional("start");
-  if (start == nullptr || task.start.position.size() == 0) return;
-  check_position(*start->find("position"), task.start.position, robot);
-  if (task.start.velocity.size() > 0)
-    check_size(*start->find("velocity"), task.start.velocity, task.limits.velocity * robot.velocity_limits(),
-               robot);
-  if (task.start.acceleration.size() > 0)
-    check_size(*start->find("acceleration"), task.start.acceleration, acceleration_limits(task), robot);
-}
-
-/// Returns the keys that have an effect in this task, but not in every task.
-std::vector<std::string> special_keys(const PlanTask& task) {
-  switch (task.kind) {
-    case PlanKind::kMove:
-      return {"goal"};
-    case PlanKind::kTrack:
-      return {};
-    case PlanKind::kSwitch:
-      if (task.least_error) return {"least_error", "path_tolerance"};
-      return {"least_error", "path_tolerance", "gaze_threshold", "hold"};
-    case PlanKind::kReturn:
-      if (task.end_gaze) return {"end_gaze", "gaze_threshold"};
-      return {"end_gaze"};
-    case PlanKind::kFastest:
-      return {"path_tolerance"};
-  }
-  return {};
-}
-
-bool says_something(const std::vector<std::string>& keys, const char* key) {
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
-void refuse_idle_keys(yaml::MapReader& map, const PlanTask& task) {
-  const std::vector<std::string> keys = special_keys(task);
-  for (const char* key : {"goal", "least_error", "path_tolerance", "gaze_threshold", "hold", "end_gaze"}) {
-    if (says_something(keys, key) || !map.has(key)) continue;
-    const bool would = std::string(key) == "gaze_threshold" || std::string(key) == "hold";
-    map.required(key).fail(fmt::format("has no effect in a {} task{}; leave it out", name(task.kind),
-                                       would && task.kind == PlanKind::kSwitch   ? " with least_error"
-                                       : would && task.kind == PlanKind::kReturn ? " without end_gaze"
-                                                                                 : ""));
-  }
-}
-
 PlanKind read_kind(const yaml::Node& node) {
   std::vector<std::string> words;
   for (const auto& [kind, word] : plan_kinds()) {
     if (node.is_word(word)) return kind;
     words.push_back(word);
   }
-  node.fail(fmt::format("unknown task; expected one of: {}", fmt::join(words, ", ")));
+  node.fail_choice(words);
 }
 
 std::string list(const JointVector& values) {
   std::string text = "[";
   for (Eigen::Index i = 0; i < values.size(); ++i) text += (i == 0 ? "" : ", ") + cell(values[i]);
   return text + "]";
-}
-
-/// Returns the message for a task at whose start the target does not switch. It names the switch times.
-std::string no_switch(const PlanTask& task) {
-  constexpr std::size_t kNamed = 4;
-  const Scenario& scenario = task.scenario;
-  std::vector<std::string> times;
-  double at = scenario.next_switch(0.0);
-  while (at < scenario.duration && times.size() <= kNamed) {
-    times.push_back(times.size() < kNamed ? fmt::format("{}", at) : "...");
-    at = scenario.next_switch(at);
-  }
-  if (times.empty()) return scenario.name + " never switches its target; choose another scenario";
-  return fmt::format("{} does not switch its target at {} s; give one of its switch times: {} s",
-                     scenario.name, task.at, fmt::join(times, ", "));
 }
 
 /// Returns the distance to keep from the scenario's obstacles and cell. If there is a cell, it must be
@@ -179,11 +102,14 @@ double read_clearance(yaml::MapReader& map, const Scenario& scenario) {
   const double clearance = map.number_in("clearance", has_cell ? kDefaultClearance : 0.0, 0.0, kNoUpperLimit);
   if (has_cell && clearance == 0.0)
     map.required("clearance")
-        .fail(scenario.name +
-              " has a cell that the arm must not touch; give a clearance above 0, or a scenario without a "
-              "cell");
+        .fail(
+            scenario.name +
+                " has a cell that the arm must not touch; give a clearance above 0, or a scenario without a "
+                "cell",
+            "above 0");
   if (clearance > 0.0 && scenario.obstacles.empty() && !has_cell)
-    map.required("clearance").fail(scenario.name + " has neither obstacles nor a cell; leave this key out");
+    map.required("clearance")
+        .fail(scenario.name + " has neither obstacles nor a cell; leave this key out", "0");
   return clearance;
 }
 
@@ -219,14 +145,7 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   task.kind = read_kind(kind);
   const yaml::Node& scenario = map.required("scenario");
   task.scenario = load_scenario(find_data_file("scenarios", scenario.as_string(), folder_of(path)));
-  if (task.scenario.orientation && task.kind != PlanKind::kMove)
-    scenario.fail(
-        "the scenario gives the tool's orientation, but plans support gaze targets only; give a scenario "
-        "with targets");
-  if (!tracks_orientation(task.scenario.mask) && task.kind != PlanKind::kMove)
-    scenario.fail(
-        "the scenario controls the tool position only, but every task except 'move' also needs a gaze "
-        "target; give 'task: move', or a scenario with gaze targets");
+  check_task_scenario(scenario, task);
   const auto joints = joint_names(*task.scenario.robot);
   task.at = map.number_in("at", 0.0, 0.0, 1e6);
   if (const yaml::Node* start = map.optional("start")) task.start = read_start(*start, joints);
@@ -243,24 +162,12 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   const long knots = map.integer("knots", task.knots);
   if (knots < kFewestKnots || knots > kMostKnots)
     map.required("knots").fail(
-        fmt::format("{} knots; the number must lie in {} .. {}", knots, kFewestKnots, kMostKnots));
+        fmt::format("{} knots; the number must lie in {} .. {}", knots, kFewestKnots, kMostKnots),
+        fmt::format("{} .. {}", kFewestKnots, kMostKnots));
   task.knots = static_cast<int>(knots);
   task.smoothness = map.number_in("smoothness", task.smoothness, 0.0, 1e3);
   map.finish();
-
-  if (task.kind == PlanKind::kMove && task.goal.size() == 0)
-    kind.fail("a move needs a goal; give the joint positions at its end as 'goal'");
-  refuse_idle_keys(map, task);
-  check_start_and_goal(map, task);
-  if (task.kind == PlanKind::kReturn && task.start.position.size() == 0 && task.start.rollout.empty())
-    kind.fail("a return needs a start state off the path; give start: {position: [...]} or {rollout: FILE}");
-  if (task.kind == PlanKind::kTrack && !task.duration)
-    kind.fail("a track task needs a duration; give 'duration' [s]");
-  if (task.least_error && !task.duration) kind.fail("least_error needs a duration; give 'duration' [s]");
-  if (task.kind == PlanKind::kSwitch &&
-      task.scenario.active_target(task.at + task.scenario.control_period) ==
-          task.scenario.active_target(std::max(0.0, task.at - task.scenario.control_period)))
-    map.required("at").fail(no_switch(task));
+  check_plan_task(map, task);
   return task;
 }
 
@@ -282,9 +189,8 @@ std::string plan_task_yaml(const PlanTask& task) {
   }
   if (task.goal.size() > 0) text += "goal: " + list(task.goal) + "\n";
   if (task.duration) text += "duration: " + cell(*task.duration) + "\n";
-  const std::vector<std::string> keys = special_keys(task);
   const auto add = [&](const char* key, const std::string& value) {
-    if (says_something(keys, key)) text += fmt::format("{}: {}\n", key, value);
+    if (has_effect(key, task)) text += fmt::format("{}: {}\n", key, value);
   };
   add("hold", cell(task.hold));
   add("least_error", task.least_error ? "true" : "false");

@@ -13,6 +13,7 @@
 #include "core/trajectory/rotation.hpp"
 #include "tests/core/support/law_period.hpp"
 #include "tests/core/support/one_joint.hpp"
+#include "tests/core/support/source_dir.hpp"
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune::internal {
@@ -77,7 +78,7 @@ TEST(CartesianImpedanceLaw, IsASpringAndADamperOfTheToolAndOfTheFreeMotion) {
 }
 
 TEST(CartesianImpedanceLaw, GivesTheTorquesThatFollowFromTheSourceOfFrankasExample) {
-  std::ifstream file(ARMTUNE_SOURCE_DIR "/tests/core/control/laws/data/cartesian_impedance.txt");
+  std::ifstream file(test::source_dir() + "/tests/core/control/laws/data/cartesian_impedance.txt");
   ASSERT_TRUE(file);
   Period p(test::seven_joint_arm(), "cartesian_impedance", 82);
   const ParameterVector weightless = ParameterVector::Zero(13 * 7);

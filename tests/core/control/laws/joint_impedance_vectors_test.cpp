@@ -13,6 +13,7 @@
 #include "core/robot/dynamics.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/one_joint.hpp"
+#include "tests/core/support/source_dir.hpp"
 
 namespace armtune::internal {
 namespace joint_impedance_vectors_test {
@@ -27,7 +28,7 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  std::ifstream file(ARMTUNE_SOURCE_DIR "/tests/core/control/laws/data/joint_impedance.txt");
+  std::ifstream file(test::source_dir() + "/tests/core/control/laws/data/joint_impedance.txt");
   std::vector<Case> all;
   std::string line;
   while (std::getline(file, line)) {

@@ -82,12 +82,11 @@ TEST(JointTrajectoryLaw, ChoosesTheAntiWindupByItsNumber) {
     p.law = controller_kind("joint_trajectory_controller")
                 .make({p.model, p.gains, theta_of(p.model.chain), Period::period, p.mask});
     RosPid pid;
+    pid.start(0, {30.0, 40000.0, 0.0, 20.0, -20.0, 10.0, -5.0, kKinds[kind], 0.01, 1e-3});
     JointVector reference = p.measured.q;
     for (int k = 0; k < 50; ++k) {
       const double error = reference[0] - p.measured.q[0];
-      const double output =
-          pid.output({30.0, 40000.0, 0.0, 20.0, -20.0, 10.0, -5.0, kKinds[kind], 0.01, 1e-3}, error, 0.0,
-                     Period::period);
+      const double output = pid.output(error, 0.0, Period::period);
       ASSERT_NEAR(p.torque()[0], output, 1e-9) << kind << ", period " << k;
       reference += Period::period * p.control.reference.velocity;
       p.move();

@@ -17,6 +17,7 @@
 #include "core/control/laws/ros_distro.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/one_joint.hpp"
+#include "tests/core/support/source_dir.hpp"
 
 namespace armtune::internal {
 namespace jtc_vectors_test {
@@ -86,7 +87,7 @@ void read_line(const std::string& word, std::istringstream& words, Case& c) {
 }
 
 std::vector<Case> cases(const std::string& name) {
-  std::ifstream file(ARMTUNE_SOURCE_DIR "/tests/core/control/laws/data/" + name);
+  std::ifstream file(test::source_dir() + "/tests/core/control/laws/data/" + name);
   std::vector<Case> all;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);

@@ -1,4 +1,5 @@
 #include "core/control/laws/ros_pid.hpp"
+#include "tests/core/support/source_dir.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +36,7 @@ RosPidGains gains_of(std::istringstream& words) {
 }
 
 TEST(RosPid, GivesTheOutputsThatFollowFromTheSourceOfControlToolbox) {
-  std::ifstream file(ARMTUNE_SOURCE_DIR "/tests/core/control/laws/data/ros_pid.txt");
+  std::ifstream file(test::source_dir() + "/tests/core/control/laws/data/ros_pid.txt");
   ASSERT_TRUE(file);
   RosPid pid;
   RosPidGains gains;
@@ -48,12 +49,12 @@ TEST(RosPid, GivesTheOutputsThatFollowFromTheSourceOfControlToolbox) {
       std::string word, version;
       words >> word >> name >> version;
       gains = gains_of(words);
-      pid = RosPid();
+      pid.start(0, gains);
       ++cases;
       continue;
     }
     const double error = number(words), rate = number(words), dt = number(words), output = number(words);
-    EXPECT_NEAR(pid.output(gains, error, rate, dt), output, 1e-12 * (1.0 + std::abs(output)))
+    EXPECT_NEAR(pid.output(error, rate, dt), output, 1e-12 * (1.0 + std::abs(output)))
         << name << ", " << gains.i_max << ", error " << error;
     ++periods;
   }
@@ -70,10 +71,11 @@ TEST(RosPid, ReleasesWhatWoundUpAsItsKindSays) {
     gains.i_min = -1.0;
     gains.anti_windup = kind;
     RosPid pid;
+    pid.start(0, gains);
     double output = 0.0;
-    for (int k = 0; k < 100; ++k) output = pid.output(gains, 1.0, 0.0, 0.01);
+    for (int k = 0; k < 100; ++k) output = pid.output(1.0, 0.0, 0.01);
     EXPECT_DOUBLE_EQ(output, 1.0);
-    for (int k = 0; k < back; ++k) output = pid.output(gains, -1.0, 0.0, 0.01);
+    for (int k = 0; k < back; ++k) output = pid.output(-1.0, 0.0, 0.01);
     return output;
   };
   // The integral of 10 takes 0.9 s to come to the clamp.

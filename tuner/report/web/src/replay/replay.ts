@@ -15,7 +15,7 @@ import { hasWebGl } from "./viewer";
 
 function undrawnWords(undrawn: number): string {
   const these = undrawn === 1 ? "1 shape of the arm is" : `${undrawn} shapes of the arm are`;
-  return `${these} not drawn: meshes that were not found, are not binary STL, or are too large.`;
+  return `${these} not drawn: meshes that were not found, are not STL or OBJ, or are too large.`;
 }
 
 export class Replay {

@@ -1,0 +1,13 @@
+#pragma once
+// Reads when a scenario's control periods are, and for how long it lasts.
+
+#include "sim/scenario/scenario.hpp"
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune::internal {
+
+/// Reads the keys `control_period`, `planned`, `duration`, `hold_end` and `goal_tolerance` of a scenario file
+/// into the scenario, whose robot is known. Throws InputError with file, line and key.
+void read_times(yaml::MapReader& map, Scenario& scenario);
+
+}  // namespace armtune::internal
