@@ -51,6 +51,7 @@ std::vector<std::size_t> read_subset(const yaml::Node& node, const std::vector<S
                                     [&name](const Scenario& s) { return s.name == name; });
     if (found == scenarios.end()) {
       std::vector<std::string> names;
+      names.reserve(scenarios.size());
       for (const Scenario& scenario : scenarios) names.push_back(scenario.name);
       node.items()[subset.size()].fail("'" + name + "' is not one of the study's scenarios",
                                        fmt::format("one of: {}", fmt::join(names, ", ")));
