@@ -93,14 +93,10 @@ void print_controllers() {
              fmt::format("in {} lanes", lanes), "ratio");
   for (const ControllerKind* kind : controller_kinds()) {
     const Gains gains = convert_gains(*kind, published, *scenario.robot, goal);
-    const bool in_lanes = lane_law(gains).has_value();
-    const std::vector<double> times =
-        measure_in_turn(prepared, gains, in_lanes ? std::vector{1, lanes} : std::vector{1});
+    const std::vector<double> times = measure_in_turn(prepared, gains, {1, lanes});
     const double alone = scenario.control_period / times[0];
     const double several = scenario.control_period / times.back();
-    fmt::print("{:<38}{:>24.0f}{:>24}{:>8}\n", kind->name, alone,
-               in_lanes ? fmt::format("{:.0f}", several) : "no lanes",
-               in_lanes ? fmt::format("{:.2f}", several / alone) : "");
+    fmt::print("{:<38}{:>24.0f}{:>24.0f}{:>8.2f}\n", kind->name, alone, several, several / alone);
   }
 }
 

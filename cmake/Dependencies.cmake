@@ -6,6 +6,7 @@ find_package(fmt 9 REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(Qhull 8 REQUIRED)
+find_package(SQLite3 3.37 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(NLopt REQUIRED)
@@ -47,6 +48,9 @@ endif()
 # urdfdom ships pkg-config files, and CMake files that name no targets.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom console_bridge)
+
+# Debian ships no CMake files of LZ4.
+pkg_check_modules(COMPRESSION REQUIRED IMPORTED_TARGET liblz4 libzstd)
 
 # Debian's pybind11 and NumPy are for Debian's Python, whichever other comes first on the PATH.
 if(ARMTUNE_PYTHON)

@@ -24,11 +24,26 @@ inline std::string text_of(const MaybePath& path) {
   return path ? path->string() : std::string();
 }
 
+/// Lets Python use objects of a class like the list that is their attribute `items`.
+template <class Class>
+void act_as_list(pybind11::class_<Class>& type, const char* items) {
+  namespace py = pybind11;
+  type.def("__len__", [items](const py::object& self) { return py::len(self.attr(items)); })
+      .def("__iter__", [items](const py::object& self) { return py::iter(self.attr(items)); })
+      .def(
+          "__getitem__",
+          [items](const py::object& self, const py::object& index) {
+            return py::object(self.attr(items)[index]);
+          },
+          py::arg("index"));
+}
+
 /// Returns the engine with this name, "simbody" or "native". Raises ValueError for any other name.
 armtune::Engine engine_of(const std::string& name);
 
 void bind_gains(pybind11::module_& module);
 void bind_rollouts(pybind11::module_& module);
+void bind_studies(pybind11::module_& module);
 void bind_searches(pybind11::module_& module);
 void bind_robustness(pybind11::module_& module);
 void bind_models(pybind11::module_& module);

@@ -5,6 +5,7 @@
 
 #include "armtune/about.hpp"
 #include "armtune/report.hpp"
+#include "armtune/run_record.hpp"
 #include "core/common/utf8.hpp"
 #include "python/bindings.hpp"
 #include "python/watched.hpp"
@@ -99,6 +100,13 @@ void bind_models(py::module_& module) {
         write_report(folder.string(), path.string());
       },
       py::arg("folder"), py::arg("path"), "Writes the report page of a run folder to a new file.");
+  module.def(
+      "run_record",
+      [](const std::filesystem::path& folder) {
+        const py::str text = as_utf8(armtune::run_record(folder.string()).json);
+        return py::dict(py::module_::import("json").attr("loads")(text));
+      },
+      py::arg("folder"), "Returns the record of a run folder, run.json, as a dict.");
   module.def("versions", &armtune::versions,
              "Returns (name, version) of armtune and of every library in use.");
   module.def("bundled", &armtune::bundled, py::arg("folder"),

@@ -97,6 +97,7 @@ PYBIND11_MODULE(_armtune, module) {
   python::bind_progress(module);
   python::bind_gains(module);
   python::bind_rollouts(module);
+  python::bind_studies(module);
   python::bind_searches(module);
   python::bind_robustness(module);
   python::bind_models(module);

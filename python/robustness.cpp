@@ -16,6 +16,7 @@ namespace {
 
 using armtune::Gains;
 using armtune::Margin;
+using armtune::Margins;
 using armtune::Scenario;
 
 void bind_samples(py::module_& module) {
@@ -69,20 +70,27 @@ void bind_margins(py::module_& module) {
         return as_utf8(fmt::format("<armtune.Margin {} in {}: {} {}>", self.kind, self.scenario,
                                    self.stands ? fmt::format("{:.4g}", *self.stands) : "none", self.unit));
       });
+  py::class_<Margins> all(module, "Margins", made_by_armtune(),
+                          "The stability margins of a gain set. It behaves like a list of them.");
+  all.def_readonly("margins", &Margins::margins)
+      .def_readonly("verdict", &Margins::verdict,
+                    "One check for each kind of margin, which passes if the loop is stable without a change.")
+      .def_readonly("files", &Margins::files, "Names of the files in the run folder.");
+  act_as_list(all, "margins");
   module.def(
       "margins",
-      [](const std::vector<Scenario>& scenarios, const Gains& gains, const std::string& engine, int workers,
-         py::object progress) {
-        MarginsOptions options{engine_of(engine), workers, {}};
+      [](const std::vector<Scenario>& scenarios, const Gains& gains, const MaybePath& folder,
+         const std::string& engine, int workers, py::object progress) {
+        MarginsOptions options{text_of(folder), engine_of(engine), workers, {}};
         return watched(std::move(progress), [&, set = gains](const Watch& watch) {
           options.watch = watch;
           return armtune::margins(scenarios, set, options);
         });
       },
-      py::arg("scenarios"), py::arg("gains"), py::kw_only(), py::arg("engine") = "simbody",
-      py::arg("workers") = 1, py::arg("progress") = py::none(),
+      py::arg("scenarios"), py::arg("gains"), py::kw_only(), py::arg("folder") = py::none(),
+      py::arg("engine") = "simbody", py::arg("workers") = 1, py::arg("progress") = py::none(),
       "Finds the stability margins of the closed loop in each scenario: delay, gain, control rate and "
-      "velocity noise.");
+      "velocity noise. folder: new folder for all files of the run.");
 }
 
 }  // namespace

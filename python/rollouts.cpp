@@ -46,9 +46,10 @@ std::string repr_of(const Rollout& rollout) {
   return text + fmt::format("; {} rows of {} columns>", rollout.rows(), rollout.columns().size());
 }
 
-SimulateOptions options_of(const std::string& engine, const std::string& stepper, int workers,
-                           int record_every, double deadline) {
+SimulateOptions options_of(const MaybePath& folder, const std::string& engine, const std::string& stepper,
+                           int workers, int record_every, double deadline) {
   SimulateOptions options;
+  options.folder = text_of(folder);
   options.engine = engine_of(engine);
   options.stepper = stepper;
   options.workers = workers;
@@ -58,9 +59,9 @@ SimulateOptions options_of(const std::string& engine, const std::string& stepper
 }
 
 py::object simulate_any(const std::vector<Scenario>& scenarios, const py::object& gains,
-                        const std::string& engine, int workers, int record_every, const std::string& stepper,
-                        double deadline, py::object progress) {
-  SimulateOptions options = options_of(engine, stepper, workers, record_every, deadline);
+                        const MaybePath& folder, const std::string& engine, int workers, int record_every,
+                        const std::string& stepper, double deadline, py::object progress) {
+  SimulateOptions options = options_of(folder, engine, stepper, workers, record_every, deadline);
   if (py::isinstance<Gains>(gains)) {
     const auto set = gains.cast<Gains>();  // a copy: the caller may change its object meanwhile
     return py::cast(watched(std::move(progress), [&](const Watch& watch) {
@@ -87,6 +88,15 @@ std::string errors_text(const std::vector<const Rollout*>& rollouts) {
     all.push_back(*rollout);
   }
   return armtune::errors_csv(all);
+}
+
+void bind_simulated(py::module_& module) {
+  py::class_<Simulated> type(module, "Simulated", made_by_armtune(),
+                             "The rollouts of scenarios with one gain set. It behaves like their list.");
+  type.def_readonly("rollouts", &Simulated::rollouts, "One rollout for each scenario, in their order.")
+      .def_readonly("verdict", &Simulated::verdict, "Verdict of the simulation checks.")
+      .def_readonly("files", &Simulated::files, "Names of the files in the run folder.");
+  act_as_list(type, "rollouts");
 }
 
 void bind_scenario(py::module_& module) {
@@ -157,12 +167,15 @@ void bind_rollouts(py::module_& module) {
       .def("__len__", &Rollout::rows, "Returns the number of rows, one for each recorded time.")
       .def("__bool__", [](const Rollout&) { return true; })
       .def("__repr__", [](const Rollout& self) { return as_utf8(repr_of(self)); });
+  bind_simulated(module);
   module.def(
       "simulate", &simulate_any, py::arg("scenarios"), py::arg("gains"), py::kw_only(),
-      py::arg("engine") = "simbody", py::arg("workers") = 1, py::arg("record_every") = 5,
-      py::arg("stepper") = "midpoint", py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
-      "Simulates scenarios in parallel and returns a list of rollouts. If gains is a list, it returns one "
-      "such list for each gain set, without recordings. For such a list of gain sets, the native engine "
+      py::arg("folder") = py::none(), py::arg("engine") = "simbody", py::arg("workers") = 1,
+      py::arg("record_every") = 5, py::arg("stepper") = "midpoint", py::arg("deadline") = 0.0,
+      py::arg("progress") = py::none(),
+      "Simulates scenarios in parallel and returns their rollouts, with the verdict on them. folder: new "
+      "folder for all files of the run. If gains is a list, simulate returns a list of rollouts for each "
+      "gain set, without recordings, verdict and folder. For such a list of gain sets, the native engine "
       "computes several rollouts at once, in the vector registers of a processor.");
   module.def(
       "errors_csv",

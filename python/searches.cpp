@@ -1,4 +1,4 @@
-// Binds studies, their searches, and the verdicts on the gains that were found.
+// Binds the searches of studies, and the verdicts on the gains that were found.
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -19,41 +19,7 @@ namespace armtune::internal::python {
 namespace {
 
 using armtune::Gains;
-using armtune::Scenario;
 using armtune::Study;
-
-/// Converts a Python function. An exception of the function ends the search, and is raised again by the call
-/// that started the search.
-std::function<double(const std::vector<Rollout>&)> objective_of(py::object function) {
-  if (function.is_none()) return {};
-  // Threads that do not hold the GIL copy and destroy the function.
-  const std::shared_ptr<py::object> kept(new py::object(std::move(function)), [](py::object* held) {
-    const py::gil_scoped_acquire lock;
-    delete held;
-  });
-  return [kept](const std::vector<Rollout>& rollouts) {
-    const py::gil_scoped_acquire lock;
-    try {
-      return (*kept)(rollouts).cast<double>();
-    } catch (const py::cast_error&) {
-      throw FailedError(
-          "objective: the function returned a value that is not a number; return a number above 0");
-    }
-  };
-}
-
-Study make_study(const py::object& description, const std::optional<std::vector<Scenario>>& scenarios,
-                 const std::optional<Gains>& gains, py::object objective) {
-  StudyInputs inputs;
-  if (scenarios) inputs.scenarios = *scenarios;
-  inputs.start = gains;
-  inputs.objective = objective_of(std::move(objective));
-  // JSON is also valid YAML.
-  const auto text = py::isinstance<py::str>(description)
-                        ? description.cast<std::string>()
-                        : py::module_::import("json").attr("dumps")(description).cast<std::string>();
-  return Study::parse(text, inputs);
-}
 
 py::array numbers_of(const std::vector<TunePoint>& points, double TunePoint::*member) {
   std::vector<double> values;
@@ -93,41 +59,6 @@ void bind_verdict(py::module_& module) {
       .def_readonly("assumes", &Verdict::assumes)
       .def_readonly("notes", &Verdict::notes)
       .def("__str__", [](const Verdict& self) { return as_utf8(to_text(self)); });
-}
-
-void bind_study(py::module_& module) {
-  py::class_<Study>(module, "Study", made_by_armtune(),
-                    "The gains to tune, the scenarios, the objective and the constraints.")
-      .def_property_readonly("name", [](const Study& self) { return as_utf8(self.name()); })
-      .def_property_readonly("scenarios", &Study::scenarios)
-      .def_property_readonly("start", &Study::start)
-      .def_property_readonly("parameters", &Study::parameters,
-                             "Names of the tuned gains, or of their components.")
-      .def_property(
-          "max_evaluations", &Study::max_evaluations, &Study::set_max_evaluations,
-          "Largest number of evaluations, including the start gains and the sweep, a coarse grid around "
-          "them.")
-      .def_property(
-          "seed", &Study::seed,
-          [](Study& self, std::int64_t seed) {
-            if (seed < 0) throw py::value_error(fmt::format("seed: {}; it must not be negative", seed));
-            self.set_seed(static_cast<std::uint64_t>(seed));
-          },
-          "Seed of algorithms that use random numbers.");
-  module.def(
-      "load_study",
-      [](const std::filesystem::path& name, const std::string& controller) {
-        return Study::load(name.string(), controller);
-      },
-      py::arg("name"), py::arg("controller") = "",
-      "Loads a bundled study by name, or a study file by path. controller: name of a controller to tune "
-      "instead of the study's controller.");
-  module.def(
-      "make_study", &make_study, py::arg("description"), py::kw_only(), py::arg("scenarios") = py::none(),
-      py::arg("gains") = py::none(), py::arg("objective") = py::none(),
-      "Makes a study from a dict or text with the keys of a study file. scenarios, gains: replace the keys "
-      "'scenarios' and 'gains'. objective: a function that replaces the key 'objective'. It takes a list of "
-      "rollouts, one for each scenario, and returns a number above zero; less is better.");
 }
 
 void bind_evaluator(py::module_& module) {
@@ -269,7 +200,6 @@ void bind_front(py::module_& module) {
 
 void bind_searches(py::module_& module) {
   bind_verdict(module);
-  bind_study(module);
   bind_tuned(module);
   bind_tune(module);
   bind_evaluator(module);

@@ -2,7 +2,8 @@
 """Usage: scripts/published_controllers.py [--help]
 
 Prints the joint_trajectory_controllers whose published gains scripts/check-controllers and scripts/compare-optuna tune. These
-import from here the gains, with their sources, and functions that write the parameter file and a motion.
+import from here the gains, with their sources, and functions that write a parameter file and a motion. package_file writes keys and
+numbers as the package has them, in the layout of its version of ROS. parameter_file writes the same gains as a ROS 2 file.
 """
 
 import math
@@ -14,7 +15,7 @@ UR_JOINTS = ["shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_
 # Robot, where its gains are published, command interface, rate of the controller [Hz], where the motion begins [rad], p, i, d, i_clamp by
 # joint, and the share of the desired velocity. The package of xarm7_effort has no joint_trajectory_controller with efforts: its file gives
 # these p, i and d to one JointPositionController for each joint, without an i_clamp. Here a joint_trajectory_controller has them, with an
-# i_clamp that they hardly reach.
+# i_clamp that they hardly reach. The rate is that of the file for fr3_effort and ur5e_velocity; the other files give none.
 PACKAGES = {
     "ur5e_effort": (
         "ur5e",
@@ -65,6 +66,46 @@ PACKAGES = {
         {f"joint{k}": (10, 0, 0, 1) for k in range(1, 7)},
         0.25),
 }
+
+
+# The distribution of ROS whose rules apply, and the controller's name in the package's file.
+FORMS = {
+    "ur5e_effort": ("noetic", "eff_joint_traj_controller"),
+    "fr3_effort": ("jazzy", "fr3_arm_controller"),
+    "xarm7_effort": ("noetic", "effort_joint_traj_controller"),
+    "gen3_7_effort": ("noetic", "gen3_joint_trajectory_controller"),
+    "ur5e_velocity": ("noetic", "vel_joint_traj_controller"),
+    "xarm6_velocity": ("noetic", "xarm6_velo_traj_controller"),
+}
+
+
+def clamps(name, clamp):
+    """The keys of a joint's clamp: the package of Gen3 gives both bounds."""
+    return f"i_clamp_min: {-clamp}, i_clamp_max: {clamp}" if name == "gen3_7_effort" else f"i_clamp: {clamp}"
+
+
+def package_file(name):
+    """The parameter file with the package's keys for gains, and `armtune` options for what it does not say."""
+    _, _, interface, rate, _, gains, feed_forward = PACKAGES[name]
+    distro, controller = FORMS[name]
+    options = ["--distro", distro]
+    lists = [f"  {joint}: {{p: {p}, i: {i}, d: {d}, {clamps(name, clamp)}}}" for joint, (p, i, d, clamp) in gains.items()]
+    joints = f"joints: [{', '.join(gains)}]"
+    if distro != "noetic":
+        lines = ["/**:", "  controller_manager:", "    ros__parameters:", f"      update_rate: {rate}",
+                 f"      {controller}: {{type: joint_trajectory_controller/JointTrajectoryController}}", f"  {controller}:",
+                 "    ros__parameters:", f"      command_interfaces: [{interface}]", "      state_interfaces: [position, velocity]",
+                 f"      {joints}", "      gains:", *(f"      {line}" for line in lists)]
+        return "\n".join(lines) + "\n", options
+    lines = [f"{controller}:", f"  type: {interface}_controllers/JointTrajectoryController", f"  {joints}", "  gains:",
+             *(f"  {line}" for line in lists)]
+    if interface == "velocity":
+        lines += ["  velocity_ff:", *(f"    {joint}: {feed_forward}" for joint in gains)]
+    if name == "ur5e_velocity":
+        lines = ["hardware_control_loop:", f"  loop_hz: {rate}", *lines]
+    else:
+        options += ["--rate", str(rate)]
+    return "\n".join(lines) + "\n", options
 
 
 def parameter_file(interface, rate, gains, feed_forward):

@@ -27,7 +27,8 @@ std::unique_ptr<std::map<std::string, Bytes>>
     record;               // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 std::mutex record_mutex;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
-constexpr std::size_t kBlock = 1U << 20;
+constexpr std::size_t kLeastBlock = 1U << 12;
+constexpr std::size_t kMostBlock = 1U << 20;
 
 /// Reads a file, pipe or device. A signal ends the wait for a pipe; a stream of the standard library would
 /// continue to wait.
@@ -73,7 +74,7 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
   if (status.type() == std::filesystem::file_type::not_found) refuse("no such file");
   if (status.type() == std::filesystem::file_type::directory)
     throw InputError(InputPlace{path}, InputFault{.problem = "is a directory", .limit = kind});
-  std::size_t block = kBlock;
+  std::size_t block = kMostBlock;
   if (status.type() == std::filesystem::file_type::regular) {
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);
     if (!ignored && size > max_bytes) refuse_large(path, max_bytes);
@@ -81,9 +82,11 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
   }
   const OpenFile file(path);
   if (!file.is_open()) refuse("cannot be opened: " + std::generic_category().message(errno));
-  // Reads block by block and not by the size: a pipe has no size, and a file may grow.
+  // Reads block by block and not by the size: a pipe has no size, and a file may grow. Where the first block
+  // is a whole file, the next one only finds its end, and is small.
   std::string text;
-  for (std::size_t got = 1; got > 0 && text.size() <= max_bytes; block = kBlock) {
+  for (std::size_t got = 1; got > 0 && text.size() <= max_bytes;
+       block = std::clamp(text.size(), kLeastBlock, kMostBlock)) {
     const std::size_t before = text.size();
     text.resize(before + std::min(block, max_bytes + 1 - before));
     const ssize_t read = file.read(&text[before], text.size() - before);

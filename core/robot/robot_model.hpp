@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/robot/chain.hpp"
+#include "core/robot/rotor_source.hpp"
 #include "core/robot/shape.hpp"
 #include "core/robot/urdf_interfaces.hpp"
 
@@ -41,6 +42,7 @@ struct RobotModel {
   JointVector link_radii;     ///< radius of each joint's link [m], NaN if not known; empty: none is known
   std::vector<std::string>
       estimated_rotors;  ///< joints whose rotor inertia is an estimate (rotor_estimate.hpp)
+  RotorSource rotor_source = RotorSource::kGiven;  ///< origin of the rotor inertia of the other joints
   /// True if the robot itself adds the torque that holds its weight to the commands of a controller without a
   /// gravity model (joint_trajectory_law.hpp). That torque still counts towards the effort limits.
   bool compensates_gravity = false;

@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
   try {
     const auto scenario = armtune::Scenario::load(argc > 1 ? argv[1] : "moving_target");
     const auto gains = armtune::Gains::load(argc > 2 ? argv[2] : "published", scenario.robot());
-    for (const armtune::Rollout& rollout : armtune::simulate({scenario}, gains)) {
+    for (const armtune::Rollout& rollout : armtune::simulate({scenario}, gains).rollouts) {
       std::cout << rollout.scenario() << ": " << rollout.status() << "\n"
                 << "largest position error: " << rollout.metric("error/position/max") << " m\n"
                 << "largest share of a velocity limit: " << rollout.metric("joint_velocity/max_ratio")

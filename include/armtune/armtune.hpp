@@ -16,6 +16,7 @@
 #include "armtune/robot.hpp"
 #include "armtune/robustness.hpp"
 #include "armtune/rollout.hpp"
+#include "armtune/run_record.hpp"
 #include "armtune/scenario.hpp"
 #include "armtune/study.hpp"
 #include "armtune/tune.hpp"

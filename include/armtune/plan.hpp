@@ -3,12 +3,17 @@
 // SuiteSparse. Link the library armtune::planning.
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "armtune/progress.hpp"
 
 namespace armtune {
+
+namespace internal {
+struct MotionPlanner;
+}
 
 struct PlanOptions {
   std::string folder =
@@ -44,5 +49,9 @@ struct Plan {
 /// Plans a bundled task by name, or a task file by path. Throws InputError if the task cannot be started or
 /// the folder is in use; FailedError if a file cannot be written.
 Plan plan(const std::string& task, const PlanOptions& options = {});
+
+/// Returns the planner for Study::from_controllers (ControllerStudyOptions::planner). It plans motions
+/// through joint positions without times, and along waypoints of the tool.
+std::shared_ptr<const internal::MotionPlanner> motion_planner();
 
 }  // namespace armtune

@@ -53,6 +53,7 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
                       const RobustnessOptions& options = {});
 
 struct MarginsOptions {
+  std::string folder = {};           ///< new folder for all files of the run; empty: nothing is written
   Engine engine = Engine::kSimbody;  ///< engine that searches for margins; Simbody confirms each one
   int workers = 1;                   ///< threads; results do not depend on it
   Watch watch = {};
@@ -69,8 +70,18 @@ struct Margin {
   std::string reason = {};            ///< why it failed
 };
 
-/// Finds every margin in every scenario. Margins not found before Watch::stop are missing from the result.
-std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
-                            const MarginsOptions& options = {});
+struct Margins {
+  std::vector<Margin> margins = {};  ///< each margin in each scenario; fewer if interrupted
+  /// One check for each kind of margin, which passes if the loop is stable without a change. Without checks
+  /// if interrupted.
+  Verdict verdict = {};
+  bool interrupted = false;
+  std::vector<std::string> files = {};  ///< names of the files in the folder
+};
+
+/// Finds every margin in every scenario. Throws InputError if the gains are not valid for the arm of a
+/// scenario or the folder is in use; FailedError if a file cannot be written.
+Margins margins(const std::vector<Scenario>& scenarios, const Gains& gains,
+                const MarginsOptions& options = {});
 
 }  // namespace armtune

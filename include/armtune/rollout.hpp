@@ -11,6 +11,7 @@
 #include "armtune/gains.hpp"
 #include "armtune/progress.hpp"
 #include "armtune/scenario.hpp"
+#include "armtune/verdict.hpp"
 
 namespace armtune {
 
@@ -21,10 +22,13 @@ enum class Engine {
 };
 
 struct SimulateOptions {
+  /// New folder for all files of the run; empty: nothing is written. Not for simulate_sets.
+  std::string folder = {};
   Engine engine = Engine::kSimbody;
   std::string stepper = "midpoint";  ///< midpoint, semi_implicit_euler, rk4 or reference
   int workers = 1;                   ///< threads; results do not depend on it
-  int record_every = 5;              ///< control periods per row of the recording; 0: no recording
+  /// Control periods per row of the recording; 0: no recording, which a run with a folder needs.
+  int record_every = 5;
   double deadline = 0.0;  ///< wall-clock limit of a rollout [s]. 0: none; in simulate_sets 20 s plus twice
                           ///< its simulated duration
   Watch watch = {};
@@ -69,11 +73,21 @@ class Rollout {
   std::shared_ptr<const void> result_;  ///< input of errors_csv
 };
 
-/// Simulates every scenario under these gains. The results are in the order of the scenarios, and
-/// bit-identical for any number of workers. Throws InputError if the gains are not valid for the arm of a
-/// scenario, or if two scenarios have the same name.
-std::vector<Rollout> simulate(const std::vector<Scenario>& scenarios, const Gains& gains,
-                              const SimulateOptions& options = {});
+/// The result of simulating scenarios with one gain set.
+struct Simulated {
+  std::vector<Rollout> rollouts = {};  ///< one for each scenario, in their order
+  Verdict verdict = {};                ///< on the rollouts; without checks if interrupted
+  bool interrupted = false;
+  std::vector<std::string> files = {};  ///< names of the files in the folder
+};
+
+/// Simulates every scenario under these gains. The results are bit-identical for any number of workers. With
+/// a folder, tasks and robot files are also examined: the verdict then has notes on tasks that no gains can
+/// complete, and lists implausible numbers among its assumptions. Both are warnings of the Watch too. Throws
+/// InputError if the gains are not valid for the arm of a scenario, if two scenarios have the same name, or
+/// if the folder is in use; FailedError if a file cannot be written.
+Simulated simulate(const std::vector<Scenario>& scenarios, const Gains& gains,
+                   const SimulateOptions& options = {});
 
 /// Simulates every scenario under each of several gain sets, without recordings: result[set][scenario]. The
 /// native engine computes several of these rollouts side by side in a processor's vector registers.

@@ -16,8 +16,9 @@
 namespace armtune {
 
 namespace internal {
+struct MotionPlanner;
 struct Study;
-}
+}  // namespace internal
 
 /// Parts of a study that are passed as objects. They replace the keys `scenarios`, `gains` and `objective` of
 /// the study's text, which may then be missing.
@@ -32,6 +33,28 @@ struct StudyInputs {
   std::function<double(const std::vector<Rollout>&)> objective = {};
 };
 
+/// The options of Study::from_controllers, as those of the command `armtune init`.
+struct ControllerStudyOptions {
+  /// Folder for the files of the study, which must be given. It is new, or has exactly these files already.
+  std::string folder = {};
+  /// Without a parameter file: kind of controller, such as "position_streaming". Its start gains are computed
+  /// from the arm, and `rate` must be given.
+  std::string controller = {};
+  std::string node = {};    ///< name of the controller in a file with several
+  std::string distro = {};  ///< distribution of ROS: jazzy, humble or noetic; empty: by the file's form
+  double rate = 0.0;        ///< control rate [Hz]; 0: that of the file
+  double speed = 1.0;       ///< factor on the speed of the motions
+  bool degrees = false;     ///< true: angles in CSV files are in degrees, not in radians
+  /// Largest stiffness of an impedance controller [N m/rad, N/m]: one number, or one for each joint. For a
+  /// task of the tool: two, for translations and rotations, or six. Empty: the stiffness is not tuned.
+  std::vector<double> max_stiffness = {};
+  int workers = 1;  ///< threads that simulate the start gains
+  /// Result of motion_planner() in plan.hpp. Null: refuses files of joint positions without times, and files
+  /// of waypoints of the tool for a controller that follows joints.
+  std::shared_ptr<const internal::MotionPlanner> planner = {};
+  Watch watch = {};  ///< warnings: the assumptions that were made
+};
+
 /// A tuning study. It is a value: a setter changes this object only.
 class Study {
  public:
@@ -42,6 +65,15 @@ class Study {
   /// Functions that write a run folder do not accept such a study, because there is no file that they could
   /// copy into the folder. Throws InputError.
   static Study parse(const std::string& yaml, const StudyInputs& inputs = {});
+  /// Makes a study from the files of a robot, writes it into options.folder, and loads it. robot: bundled
+  /// name, robot file or URDF. controllers: ROS parameter file of the controller, or a map of its gains;
+  /// empty: see options.controller. trajectories: files of the motions for which the gains are tuned. If the
+  /// arm does not complete a motion with the start gains, or oscillates, and armtune finds better ones, these
+  /// are the start gains. If every check passes, `tune` also writes the parameter file with the tuned gains
+  /// into its run folder. Throws InputError if the study cannot be made; FailedError if Watch::stop ended it.
+  static Study from_controllers(const std::string& robot, const std::string& controllers,
+                                const std::vector<std::string>& trajectories,
+                                const ControllerStudyOptions& options);
 
   const std::string& name() const;
   const std::vector<Scenario>& scenarios() const { return scenarios_; }

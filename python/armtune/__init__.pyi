@@ -100,6 +100,20 @@ class Rollout:
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
 
+class Simulated:
+    @property
+    def rollouts(self) -> list[Rollout]: ...
+    @property
+    def verdict(self) -> Verdict: ...
+    @property
+    def files(self) -> list[str]: ...
+    @overload
+    def __getitem__(self, index: int) -> Rollout: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Rollout]: ...
+    def __iter__(self) -> Iterator[Rollout]: ...
+    def __len__(self) -> int: ...
+
 class Check:
     @property
     def name(self) -> str: ...
@@ -253,6 +267,20 @@ class Margin:
     @property
     def reason(self) -> str: ...
 
+class Margins:
+    @property
+    def margins(self) -> list[Margin]: ...
+    @property
+    def verdict(self) -> Verdict: ...
+    @property
+    def files(self) -> list[str]: ...
+    @overload
+    def __getitem__(self, index: int) -> Margin: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Margin]: ...
+    def __iter__(self) -> Iterator[Margin]: ...
+    def __len__(self) -> int: ...
+
 class PlanLimit:
     @property
     def limit(self) -> str: ...
@@ -341,18 +369,35 @@ def make_study(
     gains: Gains | None = None,
     objective: Callable[[list[Rollout]], float] | None = None,
 ) -> Study: ...
+def study_from_controllers(
+    robot: _Path,
+    controllers: _Path | None,
+    trajectories: Sequence[_Path],
+    *,
+    folder: _Path,
+    controller: str = "",
+    node: str = "",
+    distro: Literal["", "jazzy", "humble", "noetic"] = "",
+    rate: float = 0.0,
+    speed: float = 1.0,
+    degrees: bool = False,
+    max_stiffness: Sequence[float] = (),
+    workers: int = 1,
+    progress: _Watch = None,
+) -> Study: ...
 @overload
 def simulate(
     scenarios: Sequence[Scenario],
     gains: Gains,
     *,
+    folder: _Path | None = None,
     engine: _Engine = "simbody",
     workers: int = 1,
     record_every: int = 5,
     stepper: _Stepper = "midpoint",
     deadline: float = 0.0,
     progress: _Watch = None,
-) -> list[Rollout]: ...
+) -> Simulated: ...
 @overload
 def simulate(
     scenarios: Sequence[Scenario],
@@ -413,10 +458,11 @@ def margins(
     scenarios: Sequence[Scenario],
     gains: Gains,
     *,
+    folder: _Path | None = None,
     engine: _Engine = "simbody",
     workers: int = 1,
     progress: _Watch = None,
-) -> list[Margin]: ...
+) -> Margins: ...
 def plan(task: _Path, *, folder: _Path | None = None, progress: _Watch = None) -> Plan: ...
 def identify(
     robot: Robot,
@@ -429,6 +475,7 @@ def identify(
     progress: _Watch = None,
 ) -> Identified: ...
 def report(folder: _Path, path: _Path) -> None: ...
+def run_record(folder: _Path) -> dict[str, Any]: ...
 def register_controller(
     name: str,
     make: Callable[[Robot, Gains, float], Callable[[ControlPeriod], Any]],

@@ -24,7 +24,8 @@ std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf,
   const auto path = mesh_path(shape.file, urdf);
   if (!path) {
     why = fmt::format(
-        "there is no such file in the robot's folder, or in a folder that the environment variable {} lists",
+        "there is no such file in the robot's folder or in a package of a sourced ROS workspace; give its folder "
+        "in the environment variable {}",
         kMeshFolders);
     return std::nullopt;
   }
@@ -130,7 +131,9 @@ ArmSolids arm_solids(const RobotModel& robot) {
       const std::string& what = shape->file.empty() ? shape->link_name : shape->file;
       if (!solid) arm.unread.push_back(fmt::format("{}: {}", what, why));
       whole = whole && solid;
-      if (solid) arm.solids.push_back({shape->body, shape->link_name, {*solid, shape->R_BS, shape->p_BS}});
+      if (solid)
+        arm.solids.push_back(
+            {shape->body, shape->link_name, {*solid, shape->R_BS, shape->p_BS}, !shape->collision});
     }
     if (!whole) arm.unknown.push_back(shapes.front()->link_name);
   }
@@ -141,6 +144,15 @@ ArmSolids arm_solids(const RobotModel& robot) {
   std::stable_sort(arm.solids.begin(), arm.solids.end(),
                    [](const ArmSolid& a, const ArmSolid& b) { return a.body < b.body; });
   return arm;
+}
+
+std::vector<std::string> drawn_links(const ArmSolids& arm) {
+  std::vector<std::string> links;
+  for (const ArmSolid& solid : arm.solids) {
+    if (solid.drawn && std::find(links.begin(), links.end(), solid.link) == links.end())
+      links.push_back(solid.link);
+  }
+  return links;
 }
 
 }  // namespace armtune::internal

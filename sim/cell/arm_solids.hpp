@@ -15,6 +15,7 @@ struct ArmSolid {
   int body = -1;     ///< index of its rigid body; -1: the base
   std::string link;  ///< name of its link, or "tool"
   PlacedSolid placed;
+  bool drawn = false;  ///< true: visual geometry, because its link has no collision geometry
 };
 
 struct ArmSolids {
@@ -31,5 +32,9 @@ struct ArmSolids {
 /// last rigid body, a thin rod connects this origin to the nearest of these shapes. The rod is named "tool"
 /// and has a radius of 1 mm.
 ArmSolids arm_solids(const RobotModel& robot);
+
+/// Returns the links whose solids are visual geometry, without duplicates. A drawn shape may be smaller than
+/// the link.
+std::vector<std::string> drawn_links(const ArmSolids& arm);
 
 }  // namespace armtune::internal

@@ -20,11 +20,20 @@ struct Allowed {
   fs::path folder;
 };
 
+/// Returns the entries of an environment variable, which colons separate.
+std::vector<std::string> entries_of(const char* variable) {
+  const char* set = std::getenv(variable);
+  std::istringstream list(set == nullptr ? "" : set);
+  std::vector<std::string> entries;
+  for (std::string entry; std::getline(list, entry, ':');) {
+    if (!entry.empty()) entries.push_back(entry);
+  }
+  return entries;
+}
+
 std::vector<Allowed> allowed_folders() {
   std::vector<Allowed> folders;
-  const char* set = std::getenv(kMeshFolders);
-  std::istringstream list(set == nullptr ? "" : set);
-  for (std::string entry; std::getline(list, entry, ':');) {
+  for (const std::string& entry : entries_of(kMeshFolders)) {
     const std::size_t equals = entry.find('=');
     const std::string folder = equals == std::string::npos ? entry : entry.substr(equals + 1);
     if (folder.empty()) continue;
@@ -46,6 +55,22 @@ std::string package_name(const fs::path& folder) {
   const std::size_t begin = opening + kOpening.size();
   const std::size_t end = text.find("</name>", begin);
   return end == std::string::npos ? std::string() : text.substr(begin, end - begin);
+}
+
+/// Returns the folders in which ROS finds a package. Each has a package.xml with its name.
+std::vector<fs::path> folders_of_ros(const std::string& package) {
+  std::vector<fs::path> folders;
+  for (const std::string& prefix : entries_of("AMENT_PREFIX_PATH")) {
+    folders.push_back(fs::absolute(prefix) / "share" / package);
+  }
+  for (const std::string& entry : entries_of("ROS_PACKAGE_PATH")) {
+    folders.push_back(fs::absolute(entry));
+    folders.push_back(fs::absolute(entry) / package);
+  }
+  std::erase_if(folders, [&package](const fs::path& folder) {
+    return package.empty() || package_name(folder) != package;
+  });
+  return folders;
 }
 
 std::vector<fs::path> folders_above(const fs::path& folder) {
@@ -90,6 +115,10 @@ std::optional<std::string> mesh_path(const std::string& named, const std::string
     }
     for (const fs::path& folder : above) {
       if (package.empty() || (folder.filename() != package && package_name(folder) != package)) continue;
+      places.push_back(folder / inside);
+      roots.push_back(folder);
+    }
+    for (const fs::path& folder : folders_of_ros(package)) {
       places.push_back(folder / inside);
       roots.push_back(folder);
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <variant>
@@ -20,16 +21,35 @@ namespace {
 
 using yaml::PlacedValue;
 
+/// Returns true if a map is, or contains, the parameters of a controller or of a node of ROS 2.
+bool holds_controller(const PlacedValue& value) {
+  return std::any_of(value.entries.begin(), value.entries.end(), [](const yaml::PlacedEntry& entry) {
+    return entry.key == "type" || entry.key == "gains" || entry.key == "k_gains" ||
+           entry.key == "ros__parameters" || (!entry.alias && holds_controller(*entry.value));
+  });
+}
+
+/// True for an outermost entry with an anchor and without a controller, such as "defaults: &defaults
+/// {p: 1.0}". It only defines what aliases and merge keys use.
+bool only_defines(const yaml::PlacedEntry& entry) {
+  return !entry.alias && entry.value->anchored && !holds_controller(*entry.value);
+}
+
 /// Counts the places of the whole file at which a value is used, including aliases and merge keys.
 class Uses {
  public:
-  explicit Uses(const PlacedValue& root) {
+  explicit Uses(const RosController& controller) {
+    const PlacedValue& root = *controller.all;
     visit(root);
     uses_[&root] = 1.0;
+    const bool may_define = controller.layout != GainLayout::kMapped;
     // In reverse order, parents come before children.
     for (auto value = order_.rbegin(); value != order_.rend(); ++value) {
       for (const auto* entries : {&(*value)->items, &(*value)->entries}) {
-        for (const yaml::PlacedEntry& entry : *entries) uses_[entry.value.get()] += uses_[*value];
+        for (const yaml::PlacedEntry& entry : *entries) {
+          if (*value == &root && may_define && only_defines(entry)) continue;
+          uses_[entry.value.get()] += uses_[*value];
+        }
       }
     }
   }
@@ -52,8 +72,10 @@ class Uses {
 struct Change {
   const PlacedValue* at;
   bool differs;
+  double value;
   std::string text;
   std::string gain;  ///< "p of shoulder"
+  bool same_place;   ///< see PlacedGain
 };
 
 /// Returns the numbers of the file, in its order, each with the text that replaces it.
@@ -63,18 +85,47 @@ std::vector<Change> changes_of(const std::vector<PlacedGain>& now, const std::ve
     const PlacedValue* at = now[k].at;
     if (at == nullptr || !at->has_place()) continue;
     const bool differs = now[k].value != wanted[k].value;
-    changes.push_back({at, differs, differs ? yaml::decimal(wanted[k].value) : at->text, now[k].name});
+    changes.push_back({at, differs, wanted[k].value, differs ? yaml::decimal(wanted[k].value) : at->text,
+                       now[k].name, now[k].same_place});
   }
   std::stable_sort(changes.begin(), changes.end(),
                    [](const Change& a, const Change& b) { return a.at->begin < b.at->begin; });
   return changes;
 }
 
-/// Returns true if the changed text reads back as the gains. The factors of a map round the last digit.
+/// Returns the relative error of gains that are written and read back: the factors of a map round the last
+/// digit.
+double rounding_of(GainLayout layout) {
+  return layout == GainLayout::kMapped ? 4.0 * std::numeric_limits<double>::epsilon() : 0.0;
+}
+
+/// Returns true if the changed text reads back as the gains.
 bool is_read_back(const JointVector& back, const JointVector& gains, GainLayout layout) {
-  if (layout != GainLayout::kMapped) return back == gains;
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-  return ((back - gains).array().abs() <= rounding * gains.array().abs()).all();
+  return ((back - gains).array().abs() <= rounding_of(layout) * gains.array().abs()).all();
+}
+
+/// Throws InputError if the changes of one number, [from, to), are not one and the same, or if they are not
+/// all that stands for this number in the file.
+void require_one_change(const std::vector<Change>& changes, std::size_t from, std::size_t to,
+                        const Uses& uses, const ParameterReader& parameters) {
+  const Change& change = changes[from];
+  const double rounding = rounding_of(parameters.controller().layout);
+  double places = 0.0;
+  for (std::size_t k = from; k < to; ++k) {
+    places += changes[k].same_place ? 0.0 : 1.0;
+    if (std::abs(changes[k].value - change.value) <= rounding * std::abs(change.value)) continue;
+    parameters.fail(change.at->line,
+                    fmt::format("{} and {} are one number of the file, so they cannot become different; link "
+                                "them in the study, or write a number for each of them in place of the YAML "
+                                "alias or of the list of gains in a map",
+                                change.gain, changes[k].gain));
+  }
+  if (change.differs && uses.of(*change.at) != places) {
+    parameters.fail(change.at->line,
+                    fmt::format("{} cannot change, because an alias elsewhere in the file stands for the "
+                                "same number; write a number in place of the alias",
+                                change.gain));
+  }
 }
 
 /// Throws InputError if the changed text does not read back as the gains.
@@ -111,24 +162,13 @@ std::string with_gains(const std::string& text, const RosController& controller,
                                                    now.controller, gains.controller));
   const std::vector<Change> changes =
       changes_of(placed_gains(controller, file, now, joints), placed_gains(controller, file, gains, joints));
-  const Uses uses(*controller.all);
+  const Uses uses(controller);
   std::string changed;
   std::size_t copied = 0;
   for (std::size_t i = 0, next = 0; i < changes.size(); i = next) {
     const Change& change = changes[i];
-    for (next = i; next < changes.size() && changes[next].at == change.at; ++next) {
-      if (changes[next].text == change.text) continue;
-      parameters.fail(change.at->line,
-                      fmt::format("{} and {} share one number through a YAML anchor, so they cannot become "
-                                  "different; write a number for each of them in place of the alias",
-                                  change.gain, changes[next].gain));
-    }
-    if (change.differs && uses.of(*change.at) != static_cast<double>(next - i)) {
-      parameters.fail(change.at->line,
-                      fmt::format("{} cannot change, because an alias elsewhere in the file stands for the "
-                                  "same number; write a number in place of the alias",
-                                  change.gain));
-    }
+    while (next < changes.size() && changes[next].at == change.at) ++next;
+    require_one_change(changes, i, next, uses, parameters);
     if (!change.differs) continue;
     if (controller.layout == GainLayout::kMapped && change.at->text.find_first_of(".eE") == std::string::npos)
       parameters.fail(

@@ -91,6 +91,11 @@ RosController named(const std::vector<RosController>& all, const std::string& fi
   std::vector<std::string> names;
   names.reserve(all.size());
   for (const RosController& controller : all) names.push_back(controller.name);
+  if (!all.empty()) {
+    for (const RosController& other : controllers_without_gains(all.front().all, file)) {
+      if (other.name == name) refuse_file_without_gains(all.front().all, file, name);
+    }
+  }
   throw InputError(InputPlace{file}, fmt::format("no controller '{}' with gains{}; {}", name,
                                                  suggestion(name, names), list_of(all)))
       .with_value(name, all.empty() ? "" : fmt::format("one of: {}", fmt::join(names, ", ")));
@@ -115,6 +120,8 @@ RosController chosen_controller(const std::vector<RosController>& all, const std
     if (found.size() == 1) return *found.front();
     if (found.size() > 1) refuse_several(found, what, file);
   }
+  if (!all.empty() && !controllers_without_gains(all.front().all, file).empty())
+    refuse_file_without_gains(all.front().all, file, name);
   throw InputError(InputPlace{file}, fmt::format("found no {} with gains; {}", kKinds[0].name, list_of(all)));
 }
 

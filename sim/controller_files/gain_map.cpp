@@ -142,14 +142,26 @@ void for_each_number(const RosController& controller, const std::string& file, c
   }
 }
 
+/// Returns the names of the gains that are bound to one place: one, or several.
+std::vector<std::string> gains_of(const yaml::Node& node) {
+  if (node.kind() != yaml::Node::Kind::kSequence) return {node.as_string()};
+  if (node.items().empty()) node.fail("the list names no gain; name at least one", "at least one gain");
+  return node.as_strings();
+}
+
 /// Reads an entry of `map`.
-GainPlace place_of(const std::string& path, const yaml::Node& node) {
-  if (node.kind() != yaml::Node::Kind::kMap) return {path, node.as_string()};
-  yaml::MapReader map(node);
-  GainPlace place{path, map.required("gain").as_string(),
-                  map.number_in("factor", 1.0, kLeastFactor, kMostFactor)};
-  map.finish();
-  return place;
+void add_places(const std::string& path, const yaml::Node& node, std::vector<GainPlace>& places) {
+  double factor = 1.0;
+  std::vector<std::string> gains;
+  if (node.kind() == yaml::Node::Kind::kMap) {
+    yaml::MapReader map(node);
+    gains = gains_of(map.required("gain"));
+    factor = map.number_in("factor", 1.0, kLeastFactor, kMostFactor);
+    map.finish();
+  } else {
+    gains = gains_of(node);
+  }
+  for (std::string& gain : gains) places.push_back({path, std::move(gain), factor});
 }
 
 std::string name_of(const GainField& field, std::size_t k, const std::vector<std::string>& joints) {
@@ -192,7 +204,7 @@ GainMap gain_map(const std::string& text, const std::string& path) {
   const yaml::Node& places = map.required("map");
   if (places.kind() != yaml::Node::Kind::kMap || places.entries().empty())
     places.fail("expected at least one line 'PLACE: GAIN'");
-  for (const auto& [place, gain] : places.entries()) controller.places.push_back(place_of(place, gain));
+  for (const auto& [place, gain] : places.entries()) add_places(place, gain, controller.places);
   if (map.has("rate")) controller.rate = map.number_in("rate", kSlowest, kSlowest, kFastest);
   const Gains gains = joint_motion_gains(controller.kind, 1);
   for (const std::string& name : own_names(gains)) {
@@ -256,11 +268,19 @@ Gains mapped_gains(const RosController& controller, const std::string& file,
 std::vector<PlacedGain> placed_mapped_gains(const RosController& controller, const std::string& file,
                                             const Gains& gains, const std::vector<std::string>& joints) {
   std::vector<PlacedGain> placed;
+  const GainPlace* last = nullptr;  // gains of one place follow each other
+  bool same_place = false;
   for_each_number(
       controller, file, gains, joints,
       [&](const ParameterReader&, const PlacedValue& value, const GainField& field, std::size_t k,
           const GainPlace& place) {
-        placed.push_back({&value, name_of(field, k, joints), numbers(gains, field)[k] / place.factor});
+        if (last != &place) same_place = last != nullptr && last->path == place.path;
+        last = &place;
+        const std::vector<std::string> parts = component_names(field, joints);
+        placed.push_back(
+            {&value, name_of(field, k, joints), numbers(gains, field)[k] / place.factor,
+             parts.size() == 1 ? std::string(field.name) : fmt::format("{}/{}", field.name, parts[k]),
+             place.factor, same_place});
       });
   return placed;
 }

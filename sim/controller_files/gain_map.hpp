@@ -26,7 +26,8 @@ bool is_gain_map(const std::string& text, const std::string& path);
 ///   - file: the file with the numbers; a relative path begins in the folder of the map;
 ///   - map: {PLACE: GAIN, ...} or {PLACE: {gain: GAIN, factor: NUMBER}, ...}, see GainPlace; a place has a
 ///   list
-///     of n numbers for a gain of n joints, of six for a gain of the task, or one number;
+///     of n numbers for a gain of n joints, of six for a gain of the task, or one number; in place of GAIN, a
+///     list of gains binds all of them to the same number;
 ///   - rate: control rate [Hz] (default: unknown);
 ///   - ros1: true if ROS 1 reads the file; changed numbers are then written so that it can (default: false).
 /// Further keys are gains that the file does not have, with their numbers. Throws InputError "FILE:LINE:

@@ -269,8 +269,12 @@ std::vector<PlacedGain> placed_trajectory_gains(const RosController& controller,
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const std::string& joint = joints[k];
     const auto place = static_cast<Eigen::Index>(k);
+    const auto entry = [&](const char* gain) {
+      return fmt::format("{}/{}", jtc_name(gains.controller, gain), joint);
+    };
     const auto add = [&](const char* key, double value) {
-      placed.push_back({parameters.of_joint(joint, key), fmt::format("{} of {}", key, joint), value});
+      placed.push_back(
+          {parameters.of_joint(joint, key), fmt::format("{} of {}", key, joint), value, entry(key)});
     };
     for (const char* name : kGainNames) add(name, jtc_gain(gains, name)[place]);
     const double clamp = jtc_gain(gains, "i_clamp")[place];
@@ -278,7 +282,7 @@ std::vector<PlacedGain> placed_trajectory_gains(const RosController& controller,
     add("i_clamp_max", clamp);
     add("i_clamp_min", -jtc_lower_i_clamp(gains, place));
     placed.push_back({parameters.feed_forward(joint), "feed-forward of " + joint,
-                      jtc_gain(gains, "ff_velocity_scale")[place]});
+                      jtc_gain(gains, "ff_velocity_scale")[place], entry("ff_velocity_scale")});
   }
   return placed;
 }

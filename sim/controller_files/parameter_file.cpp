@@ -36,13 +36,20 @@ std::optional<ParameterFile> read_parameter_file(const std::string& path, const 
   return file;
 }
 
+ParameterFile required_parameter_file(const std::string& path, const std::string& node,
+                                      std::optional<RosDistro> distro,
+                                      const std::vector<std::string>& joints) {
+  if (auto file = read_parameter_file(path, node, distro, joints)) return *std::move(file);
+  const std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
+  refuse_file_without_gains(yaml::read_placed(text, path), path, node);
+}
+
 ParameterFile parameter_file_for(const Gains& gains, const std::string& path, const std::string& node,
                                  const std::vector<std::string>& joints) {
-  auto file = read_parameter_file(path, node, {}, joints);
-  if (!file) chosen_controller({}, path, node);  // throws
-  if (is_joint_trajectory_controller(gains.controller) && file->controller.layout == GainLayout::kPidByJoint)
-    set_distro(*file, jtc_distro(gains));
-  return *std::move(file);
+  ParameterFile file = required_parameter_file(path, node, {}, joints);
+  if (is_joint_trajectory_controller(gains.controller) && file.controller.layout == GainLayout::kPidByJoint)
+    set_distro(file, jtc_distro(gains));
+  return file;
 }
 
 void set_distro(ParameterFile& file, RosDistro distro) {

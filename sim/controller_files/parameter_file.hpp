@@ -25,9 +25,15 @@ std::optional<ParameterFile> read_parameter_file(const std::string& path, const 
                                                  std::optional<RosDistro> distro = {},
                                                  const std::vector<std::string>& joints = {});
 
+/// Does the same, but throws InputError if read_parameter_file would return nothing. The error says what the
+/// file has and what can be done.
+ParameterFile required_parameter_file(const std::string& path, const std::string& node,
+                                      std::optional<RosDistro> distro,
+                                      const std::vector<std::string>& joints);
+
 /// Reads a file into which these gains are to be written, for an arm with these joints. Its joint trajectory
-/// controller follows the distribution of ROS that the gains follow. Throws InputError as read_parameter_file
-/// does, and if it would return nothing.
+/// controller follows the distribution of ROS that the gains follow. Throws InputError as
+/// required_parameter_file does.
 ParameterFile parameter_file_for(const Gains& gains, const std::string& path, const std::string& node,
                                  const std::vector<std::string>& joints);
 

@@ -11,7 +11,10 @@ namespace armtune::internal {
 struct PlacedGain {
   const yaml::PlacedValue* at;  ///< null: the file has no number for this gain
   std::string name;             ///< for messages: "p of shoulder"
-  double value;
+  double value;                 ///< of the number in the file
+  std::string entry;            ///< name of the gain in studies: "jtc_p/shoulder"
+  double factor = 1.0;          ///< the gain is this factor times the number in the file
+  bool same_place = false;      ///< true: a map binds another gain before this one to the same place
 };
 
 }  // namespace armtune::internal

@@ -48,15 +48,24 @@ struct RosController {
       {};  ///< gains that the file does not have
 };
 
-/// Returns true if a text may contain controllers, because it has a key `gains` or `k_gains`.
+/// Returns true if a text may contain controllers, because it has a key `gains`, `gains.*` or `k_gains`.
 bool may_hold_controllers(std::string_view text);
 
 /// Returns true if a text may be a map of gains (gain_map.hpp), because it has the keys `controller`, `file`
 /// and `map`.
 bool may_hold_map(std::string_view text);
 
-/// Returns all controllers of the file, in its order. Throws InputError if the text is not YAML.
+/// Returns all controllers of the file, in its order: those of ROS 2, with the parameters that wildcards give
+/// them (ros_nodes.hpp), then those of ROS 1. Throws InputError if the text is not YAML.
 std::vector<RosController> ros_controllers(const std::string& text, const std::string& file);
+
+/// Returns the joint trajectory controllers of the file that have no gains.
+std::vector<RosController> controllers_without_gains(const yaml::Placed& root, const std::string& file);
+
+/// Throws InputError that says why no controller of the file can be tuned, and what can be done. name: of the
+/// controller that was asked for; empty: none.
+[[noreturn]] void refuse_file_without_gains(const yaml::Placed& root, const std::string& file,
+                                            const std::string& name);
 
 /// Returns the controller of that name. Without a name, returns the only joint trajectory controller of the
 /// file that can be tuned; if it has none, the only joint impedance controller that can be tuned. These are

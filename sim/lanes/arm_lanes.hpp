@@ -8,8 +8,10 @@
 //
 // The caller calls start() once for an arm. In every control period it calls these functions in this order:
 // sense, measure, seen, follow_task or follow_joints, follow_plan if there is a plan, resolve, torque, adapt,
-// observe, observed, push, step, moved. The arguments are structs of pointers, because code that is compiled
-// for one kind of processor must not share an inline function with other code (scripts/check-lanes).
+// observe, observed, push, step, moved. If the law commands drives, the caller computes their torques for
+// each arm. It then calls weigh after torque, and push, step and moved once in every period of the drives.
+// The arguments are structs of pointers, because code that is compiled for one kind of processor must not
+// share an inline function with other code (scripts/check-lanes).
 
 #include <memory>
 
@@ -118,9 +120,12 @@ class ArmLanes {
   virtual void reference(int lane, double* velocity, double* acceleration) const = 0;
   virtual void replace_reference(int lane, const LaneReference& joints) = 0;
 
-  /// Computes the law's torques.
+  /// Computes the law's torques, or its commands for the drives.
   virtual void torque() = 0;
   virtual void commanded(int lane, double* torque) const = 0;
+  /// Computes the torques that hold the arms' weights, for laws that command drives.
+  virtual void weigh() = 0;
+  virtual void weight(int lane, double* torque) const = 0;
 
   /// Adapts theta in the lanes where `adapting` is true.
   virtual void adapt(const bool* adapting) = 0;
@@ -134,7 +139,7 @@ class ArmLanes {
 
   /// Sets the torques (n) that act on the plant.
   virtual void push(int lane, const double* torque) = 0;
-  /// Moves the plants by one control period.
+  /// Moves the plants by one period of the drives, or without drives by one control period.
   virtual void step() = 0;
   virtual void moved(int lane, double* q, double* qd) const = 0;
 };

@@ -19,7 +19,8 @@ struct LaneKind {
   std::size_t most_obstacles = 0;
   bool link_surfaces = false;   ///< obstacle distances are those of links, not of joint origins
   double control_period = 0.0;  ///< [s]
-  int plant_steps = 1;          ///< steps of the simulated arm in a control period
+  int drive_steps = 1;          ///< periods of the robot's drives in a control period; 1 without drives
+  int plant_steps = 1;          ///< steps of the simulated arm in a period of the drives
   Stepper stepper = Stepper::kMidpoint;
   ArmLawKind law = ArmLawKind::kAdaptive;
 

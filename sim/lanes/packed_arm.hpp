@@ -22,6 +22,7 @@ class PackedArm final : public ArmLanes {
   explicit PackedArm(const LaneKind& kind)
       : period_(kind.control_period),
         steps_(kind.plant_steps),
+        step_(kind.control_period / (kind.drive_steps * kind.plant_steps)),
         stepper_(kind.stepper),
         mask_(kind.mask),
         law_(make_arm_law<T>(kind.law, kind.n)),
@@ -36,7 +37,7 @@ class PackedArm final : public ArmLanes {
     }
     for (Joints* joints :
          {&q_, &qd_, &measured_q_, &measured_qd_, &reference_.velocity, &reference_.acceleration,
-          &centering_.middle, &centering_.rate, &Kd_, &commanded_, &torque_}) {
+          &centering_.middle, &centering_.rate, &Kd_, &commanded_, &torque_, &weight_}) {
       joints->setZero(kind.n);
     }
     theta_true_ = law_->theta();
@@ -128,6 +129,8 @@ class PackedArm final : public ArmLanes {
     law_->torque(period(), commanded_);
   }
   void commanded(int lane, double* torque) const override { get(lane, commanded_, torque); }
+  void weigh() override { law_->weigh(period(), weight_); }
+  void weight(int lane, double* torque) const override { get(lane, weight_, torque); }
 
   void adapt(const bool* adapting) override {
     typename T::Mask where{};
@@ -139,6 +142,7 @@ class PackedArm final : public ArmLanes {
 
   void observe(bool exact) override {
     exact_ = exact;
+    begins_ = true;
     const PosesT<T>& poses = exact ? arm_.poses : true_poses_;
     const std::span<const ObstacleT<T>> obstacles{obstacles_.get(), obstacle_count_};
     if (!exact) {
@@ -165,17 +169,17 @@ class PackedArm final : public ArmLanes {
 
   void push(int lane, const double* torque) override { put(lane, torque, torque_); }
   void step() override {
-    const PosesT<T>* poses = exact_ ? &arm_.poses : &true_poses_;
-    const double step = period_ / steps_;
+    const PosesT<T>* poses = !begins_ ? nullptr : exact_ ? &arm_.poses : &true_poses_;
+    begins_ = false;
     for (int k = 0; k < steps_; ++k) {
-      const FrictionStep<T> friction(T(step), qd_);  // integrate() writes qd_ after the last evaluation
+      const FrictionStep<T> friction(T(step_), qd_);  // integrate() writes qd_ after the last evaluation
       integrate(
-          stepper_, T(step),
+          stepper_, T(step_),
           [&](const Joints& q, const Joints& qd, Joints& qdd) {
             if (poses == nullptr) body_poses(plant_, q, stage_poses_);
             forward_dynamics(plant_, poses == nullptr ? stage_poses_ : *poses, qd, torque_, friction,
                              dynamics_, qdd);
-            poses = nullptr;  // these poses are valid only at the start of the period
+            poses = nullptr;  // these poses are valid only at the start of the control period
           },
           q_, qd_, work_);
     }
@@ -213,7 +217,8 @@ class PackedArm final : public ArmLanes {
   }
 
   double period_;
-  int steps_;  ///< of the plant in a control period
+  int steps_;    ///< of the plant in a call of step()
+  double step_;  ///< of the plant [s]
   Stepper stepper_;
   ChainT<T> chain_, plant_;
   TaskMask mask_;
@@ -235,13 +240,14 @@ class PackedArm final : public ArmLanes {
   Vec6T<T> pose_error_ = Vec6T<T>::Zero();
   typename T::Mask yields_{};
   bool exact_ = true;
+  bool begins_ = true;  ///< the plant is where observe() computed the poses
   SlotineLiT<T> true_motion_;
   PosesT<T> true_poses_;
   JacobianT<T> true_J_;
   Vec6T<T> true_twist_;
   T clearance_{0.0}, compensation_error_{0.0};
   ParameterVectorT<T> theta_true_, theta_error_;
-  Joints torque_error_, torque_;
+  Joints torque_error_, torque_, weight_;
   PosesT<T> stage_poses_;
   ForwardDynamicsT<T> dynamics_;
   StepWorkspaceT<T> work_;

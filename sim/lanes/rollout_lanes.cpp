@@ -4,14 +4,11 @@
 #include <stdexcept>
 
 #include "armtune/error.hpp"
-#include "core/control/laws/arm_torque_law.hpp"
 #include "core/control/laws/controller_kind.hpp"
-#include "core/control/laws/joint_drives.hpp"
-#include "core/control/laws/plan_reader.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "sim/lanes/chain_numbers.hpp"
+#include "sim/lanes/rollout_lane.hpp"
 #include "sim/plant/flush_denormals.hpp"
-#include "sim/rollout/running_rollout.hpp"
 #include "sim/rollout/true_state.hpp"
 
 namespace armtune::internal {
@@ -42,44 +39,20 @@ LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_o
     throw InputError("the stepper 'reference' needs Simbody");
   }
   const Chain& chain = scenario.robot->chain;
+  const double rate = scenario.plant.rate;
+  const int drive_steps =
+      commands_drives(law) ? steps_in(scenario.control_period, drive_frequency(*scenario.robot, rate)) : 1;
   return {chain.n,
           chain.motion,
           scenario.mask,
           most_obstacles,
           chain.link_radius.size() > 0,
           scenario.control_period,
-          steps_in(scenario.control_period, scenario.plant.rate),
+          drive_steps,
+          steps_in(scenario.control_period / drive_steps, rate),
           stepper,
           law};
 }
-
-struct RolloutLanes::Lane {
-  explicit Lane(LaneJob given)
-      : job(std::move(given)),
-        running(*job.scenario, job.gains.slerpAngularErrorThreshold, job.limits,
-                job.scenario->scenario.plant.torque_delay_periods),
-        logic(job.scenario->scenario.robot, with_goal(job.gains, job.scenario->scenario),
-              job.scenario->scenario.control_period, job.scenario->scenario.mask),
-        plan(logic.model().n(), logic.gains(), logic.period()),
-        q(job.scenario->scenario.start_position),
-        qd(running.start_velocity()),
-        theta(job.scenario->theta_start) {
-    logic.output().commanded.setZero(q.size());
-    logic.output().reference = {JointVector::Zero(q.size()), JointVector::Zero(q.size())};
-  }
-
-  LaneJob job;
-  RunningRollout running;
-  ControlLogic logic;
-  PlanReader plan;
-  JointVector q, qd;  ///< state of the plant
-  ParameterVector theta;
-  ArmView view;
-  Poses pose;  ///< true pose of the tool
-  int period = 0;
-  World world;
-  const World* world_in = nullptr;  ///< `world`, or that of a lane with the same scenario and period
-};
 
 RolloutLanes::RolloutLanes(const LaneKind& kind, int lanes, Processor processor)
     : kind_(kind), arms_(make_arm_lanes(kind, lanes, processor)) {
@@ -113,14 +86,14 @@ void RolloutLanes::start(int lane, LaneJob job) {
       lane_kind(own, kind_.stepper, kind_.most_obstacles, *law) != kind_) {
     throw InputError(
         own.name +
-        ": the joints, task_mask, control period, rate of the plant, obstacles or controller differ from those of "
-        "the scenarios that are simulated together with it; simulate this scenario alone");
+        ": the joints, task_mask, control period, rate of plant or drives, obstacles or controller differ from "
+        "those of the scenarios that are simulated together with it; simulate this scenario alone");
   }
   auto& place = lanes_[static_cast<std::size_t>(lane)];
   if (place) throw InputError("the lane for " + own.name + " is busy");
   const FlushDenormals flush;  // as at the start of a single Rollout
   const bool first = busy_ == 0;
-  place = std::make_unique<Lane>(std::move(job));
+  place = std::make_unique<Lane>(std::move(job), *law);
   ++busy_;
   const PreparedScenario& scenario = *place->job.scenario;
   const auto control = numbers_of(scenario.scenario.robot->chain);
@@ -131,17 +104,15 @@ void RolloutLanes::start(int lane, LaneJob job) {
   for (int l = 0; l < lanes(); ++l) {
     if (l != lane && !(first && !is_busy(l))) continue;
     const JointCentering& centering = logic.centering();
-    arms_->start(
-        l, {.control_chain = control.data(),
-            .plant_chain = plant.data(),
-            .damping = logic.damping(),
-            .law = law_numbers(
-                {logic.model(), logic.gains(), scenario.theta_start, logic.period(), logic.mask()}, storage),
-            .centering_middle = centering.middle.data(),
-            .centering_rate = centering.rate.data(),
-            .theta_true = scenario.theta_true.data(),
-            .q = place->q.data(),
-            .qd = place->qd.data()});
+    arms_->start(l, {.control_chain = control.data(),
+                     .plant_chain = plant.data(),
+                     .damping = logic.damping(),
+                     .law = law_numbers(place->law_setup(), storage),
+                     .centering_middle = centering.middle.data(),
+                     .centering_rate = centering.rate.data(),
+                     .theta_true = scenario.theta_true.data(),
+                     .q = place->q.data(),
+                     .qd = place->qd.data()});
   }
 }
 
@@ -229,10 +200,14 @@ void RolloutLanes::control() {
 void RolloutLanes::act() {
   std::array<bool, kMostLanes> adapting{};
   for (int l = 0; l < lanes(); ++l) {
+    if (is_busy(l)) arms_->commanded(l, lanes_[static_cast<std::size_t>(l)]->logic.output().commanded.data());
+  }
+  if (commands_drives(kind_.law)) begin_drives();
+  for (int l = 0; l < lanes(); ++l) {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr) continue;
-    arms_->commanded(l, lane->logic.output().commanded.data());
     lane->logic.limit_torque(lane->running.measured(), lane->view, lane->running.scene());
+    if (lane->drives) lane->drives->keep_added(lane->logic.output().commanded);
     adapting[static_cast<std::size_t>(l)] = lane->logic.conclude();
   }
   arms_->adapt(adapting.data());
@@ -271,13 +246,15 @@ void RolloutLanes::move() {
     }
   }
   arms_->step();
+  for (int k = 1; k < kind_.drive_steps; ++k) {
+    drive(k, moving.data());
+    arms_->step();
+  }
   for (int l = 0; l < lanes(); ++l) {
-    Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
-    if (lane == nullptr) continue;
-    if (moving[static_cast<std::size_t>(l)]) {
-      arms_->moved(l, lane->q.data(), lane->qd.data());
-      lane->running.moved(lane->q, lane->qd, {});
-    }
+    if (!moving[static_cast<std::size_t>(l)]) continue;
+    Lane& lane = *lanes_[static_cast<std::size_t>(l)];
+    arms_->moved(l, lane.q.data(), lane.qd.data());
+    lane.running.moved(lane.q, lane.qd, {});
   }
 }
 

@@ -66,8 +66,13 @@ class RolloutLanes {
   const World& world_of(int lane);
   void sense();
   void control();
+  /// Replaces the laws' commands by the torques of the drives that follow them.
+  void begin_drives();
   void act();
   void move();
+  /// Begins the period k of the drives after the beginning of a control period, in the lanes that move. Ends
+  /// the control period of arms whose velocities are no longer finite; they stop moving.
+  void drive(int k, bool* moving);
   void end(int lane, const Finished& finished);
 
   LaneKind kind_;

@@ -19,8 +19,7 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
   const Scenario& scenario = prepared_->scenario;
   const PlantConditions& conditions = scenario.plant;
   Controller controller(scenario.robot, with_goal(gains, scenario), prepared_->theta_start,
-                        scenario.control_period, scenario.mask,
-                        {drive_frequency(*scenario.robot, conditions.rate), conditions.torque_delay_periods});
+                        scenario.control_period, scenario.mask, prepared_->drive_timing());
   // Commands for drives are late on their way to the drives, which then act at once.
   RunningRollout running(*prepared_, gains.slerpAngularErrorThreshold, limits,
                          controller.has_drives() ? 0 : conditions.torque_delay_periods,

@@ -41,6 +41,10 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
+bool is_bundled(const std::string& path) {
+  return path.starts_with(data_folder() + "/");
+}
+
 std::string shown_path(const std::string& path) {
   const std::string data = data_folder() + "/";
   return path.starts_with(data) ? "bundled " + path.substr(data.size()) : path;

@@ -27,6 +27,9 @@ std::string data_folder();
 /// absolute path of any other file. Throws InputError if that path is not UTF-8.
 std::string portable_reference(const std::string& path);
 
+/// True if a full path is in the folder with the bundled data.
+bool is_bundled(const std::string& path);
+
 /// Returns the path for a person to read. Bundled files are shown without the folder of their installation.
 std::string shown_path(const std::string& path);
 

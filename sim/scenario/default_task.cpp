@@ -13,6 +13,7 @@
 #include "armtune/error.hpp"
 #include "core/control/pose_search.hpp"
 #include "core/robot/holding_load.hpp"
+#include "sim/scenario/holding_torques.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/start_of_task.hpp"
 #include "sim/scenario/task_places.hpp"
@@ -115,12 +116,14 @@ class Placing {
   std::string obstacle() const {
     if (lightest_.value < PathWalk::kUnseen) {
       const JointInfo& joint = arm_.joints[static_cast<std::size_t>(loaded_)];
+      const char* unit = effort_unit(arm_, loaded_);
+      const double effort = joint.limits.effort;
       const Vec3& tool = lightest_.tool;
       return fmt::format(
-          "joint '{}' needs {:.0f} % of its effort limit of {:.3g} to hold the arm with its tool at ({:.3g}, "
-          "{:.3g}, {:.3g}) m. A first task may need at most {:.0f} %, but no place with a lower load was "
-          "found; check this limit and the masses",
-          joint.name, 100.0 * lightest_.value, joint.limits.effort, tool.x(), tool.y(), tool.z(),
+          "joint '{}' needs {:.3g} {} to hold the arm with its tool at ({:.3g}, {:.3g}, {:.3g}) m, and its "
+          "effort limit is {:.3g} {}. A first task may need at most {:.0f} % of a limit, but no place with a "
+          "lower load was found; check this limit and the masses",
+          joint.name, lightest_.value * effort, unit, tool.x(), tool.y(), tool.z(), effort, unit,
           100.0 * kMostLoad);
     }
     if (nears_ > lows_) return fmt::format("on the circles that {} can follow, {}", arm_.name, near_);
@@ -264,6 +267,7 @@ std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, 
   scenario.name = "task";
   scenario.robot = std::move(robot);
   const RobotModel& arm = *scenario.robot;
+  refuse_too_heavy(arm, kMostLoad);  // without the search, which would take long
   Cell cell = options.cell.value_or(Cell{});
   if (const double floor = floor_of(arm, options); std::isfinite(floor)) cell.floor = floor;
   scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, std::move(cell));

@@ -60,7 +60,8 @@ struct DefaultTask {
 /// The arm tracks position and gaze. It tracks the position alone if it has too few joints for both, or if no
 /// place for both is found. The plant has noise, a delay of one period and a payload of two per cent of the
 /// arm's mass, and the controller starts with masses that are too low. High gains therefore have
-/// disadvantages too. Throws InputError with the reason if no place is found.
+/// disadvantages too. Throws InputError with the reason if no place is found. An arm is refused without a
+/// search if it can hold itself, with 0.85 of each effort limit, at less than 5 % of its joint positions.
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options = {});
 
 /// Returns up to `count` (>= 1) tasks, the preferred ones first. The first is the task of default_task. The

@@ -8,16 +8,18 @@
 #include <cmath>
 #include <utility>
 
-#include "core/control/pose_search.hpp"
 #include "core/robot/body_inertia.hpp"
-#include "core/robot/dynamics.hpp"
 #include "core/robot/rotor_estimate.hpp"
+#include "sim/scenario/holding_torques.hpp"
 
 namespace armtune::internal {
 namespace {
 
 constexpr double kLightest =
     5e-4;  // kg for each N m or N of the joint's effort limit: arms have at least seven times as much
+/// Weight of all moving links, at full reach, as a share of the smallest effort limit. It is at least 1 for
+/// all bundled arms, and for 13 URDFs that vendors publish.
+constexpr double kLightestArm = 0.2;
 constexpr double kWidest = 0.5;         // largest radius of gyration of a link, as a share of the reach
 constexpr double kNarrowest = 2e-3;     // m, smallest radius of gyration of a link
 constexpr double kManyTurns = 25.0;     // rad
@@ -26,7 +28,6 @@ constexpr double kFingerStroke = 0.15;  // m
 constexpr double kClawTurn = 1.3;       // rad; a wrist's range is more than half a turn
 constexpr double kOtherRotor = 100.0;   // largest factor from the estimate of rotor_estimate.hpp, up or down
 constexpr int kFewestIdentical = 4;     // links; fewer can be the same by design
-constexpr unsigned kPoses = 500;
 
 using Names = std::vector<std::string>;
 using Proposed = std::vector<ProposedValue>;
@@ -72,7 +73,49 @@ bool lacks_any_inertia(const RobotModel& robot, const MissingData& missing) {
   return false;
 }
 
+/// Returns the weight of all moving links [N].
+double weight(const RobotModel& robot) {
+  constexpr double kGravity = 9.81;
+  double mass = 0.0;
+  for (int i = 0; i < robot.n(); ++i) mass += robot.chain.link[static_cast<std::size_t>(i)].mass;
+  return kGravity * mass;
+}
+
+/// Finds arms that are so light that each of their joints could hold the whole arm several times over, with
+/// all of its mass at full reach. Joints without an effort limit do not count. Returns true if the arm is
+/// one.
+bool doubt_light_arm(const RobotModel& robot, const MissingData& missing, std::vector<Doubt>& doubts) {
+  if (lacks_any_inertia(robot, missing)) return false;
+  const JointInfo* weakest = nullptr;
+  double largest = 0.0;
+  for (int i = 0; i < robot.n(); ++i) {
+    const JointInfo& joint = robot.joints[static_cast<std::size_t>(i)];
+    if (contains(missing.effort, joint.name)) continue;
+    const bool slides = robot.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kPrismatic;
+    const double share = weight(robot) * (slides ? 1.0 : reach(robot)) / joint.limits.effort;
+    if (share <= largest) continue;
+    largest = share;
+    weakest = &joint;
+  }
+  if (weakest == nullptr || largest >= kLightestArm) return false;
+  Names names;
+  Proposed proposed;
+  for (int i = 0; i < robot.n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    names.push_back(fmt::format("{} ({:.3g} kg)", robot.joints[k].link, robot.chain.link[k].mass));
+    ask_for_body(robot.joints[k].link, proposed);
+  }
+  add(names,
+      fmt::format("even with all their mass at the arm's reach of {:.3g} m, these links weigh so little that "
+                  "every joint, even '{}', could hold them with {:.2g} % of its effort limit; if the masses "
+                  "are placeholders, give the real ones, and otherwise check the effort limits",
+                  reach(robot), weakest->name, 100.0 * largest),
+      proposed, doubts);
+  return true;
+}
+
 void doubt_links(const RobotModel& robot, const MissingData& missing, std::vector<Doubt>& doubts) {
+  const bool all_light = doubt_light_arm(robot, missing, doubts);
   Names light, wide, narrow;
   Proposed of_light, of_wide, of_narrow;
   const double widest = kWidest * reach(robot);
@@ -82,7 +125,7 @@ void doubt_links(const RobotModel& robot, const MissingData& missing, std::vecto
     const JointInfo& joint = robot.joints[k];
     if (lacks_inertia(robot, i, missing)) continue;
     const double radius = radius_of_gyration(link);
-    if (link.mass < kLightest * joint.limits.effort && !contains(missing.effort, joint.name)) {
+    if (!all_light && link.mass < kLightest * joint.limits.effort && !contains(missing.effort, joint.name)) {
       light.push_back(fmt::format("{} ({:.3g} kg)", joint.link, link.mass));
       ask_for_body(joint.link, of_light);
     }
@@ -187,72 +230,15 @@ void doubt_limits(const RobotModel& robot, std::vector<Doubt>& doubts) {
       doubts);
 }
 
-/// The largest torque that gravity requires of a joint at the positions that were tried [N m, N], and the
-/// position (n) at which it occurs.
-struct Heaviest {
-  double torque = 0.0;
-  JointVector q;
-};
-
-JointVector holding_torque(const RobotModel& robot, const JointVector& q) {
-  Poses poses;
-  forward_kinematics(robot.chain, q, poses);
-  JointVector torque;
-  gravity_torque(robot.chain, poses, torque);
-  return torque;
-}
-
-/// Moves one joint after the other, in ever smaller steps, to increase the holding torque of joint i.
-void climb(const RobotModel& robot, int i, Heaviest& heaviest) {
-  double step = 1.0;
-  for (int halving = 0; halving < 6; ++halving) {
-    step *= 0.5;
-    for (int k = 0; k < robot.n(); ++k) {
-      for (const double sign : {-1.0, 1.0}) {
-        JointVector q = heaviest.q;
-        q[k] += sign * step;
-        const JointLimits& limits = robot.joints[static_cast<std::size_t>(k)].limits;
-        if (limits.has_position) q[k] = std::clamp(q[k], limits.lower, limits.upper);
-        const double torque = std::abs(holding_torque(robot, q)[i]);
-        if (torque > heaviest.torque) heaviest = {torque, q};
-      }
-    }
-  }
-}
-
-/// Returns the heaviest position for each joint: the best of many random positions, improved by climb().
-std::vector<Heaviest> heaviest_positions(const RobotModel& robot) {
-  std::vector<Heaviest> found(static_cast<std::size_t>(robot.n()));
-  for (unsigned sample = 0; sample < kPoses; ++sample) {
-    const JointVector q = sample_position(robot, sample);
-    const JointVector torque = holding_torque(robot, q);
-    for (int i = 0; i < robot.n(); ++i) {
-      Heaviest& heaviest = found[static_cast<std::size_t>(i)];
-      if (std::abs(torque[i]) >= heaviest.torque) heaviest = {std::abs(torque[i]), q};
-    }
-  }
-  for (int i = 0; i < robot.n(); ++i) climb(robot, i, found[static_cast<std::size_t>(i)]);
-  return found;
-}
-
 /// Finds joints whose effort limit is too low to hold the arm still everywhere.
 void doubt_efforts(const RobotModel& robot, const MissingData& missing, std::vector<Doubt>& doubts) {
   if (!missing.position.empty() || lacks_any_inertia(robot, missing)) return;
-  const auto slides = [&robot](std::size_t k) { return robot.chain.motion[k] == JointMotion::kPrismatic; };
-  bool any_slides = false;
-  for (std::size_t k = 0; k < robot.joints.size(); ++k) any_slides = any_slides || slides(k);
-  const std::vector<Heaviest> heaviest = heaviest_positions(robot);
-  for (std::size_t k = 0; k < heaviest.size(); ++k) {
-    const JointInfo& joint = robot.joints[k];
-    if (heaviest[k].torque <= joint.limits.effort || contains(missing.effort, joint.name)) continue;
-    const char* unit = slides(k) ? "N" : "N m";
-    doubts.push_back(
-        {fmt::format(
-             "{}: it needs {:.3g} {} to hold the arm still at [{:.3g}] deg{}, and its effort limit is "
-             "{:.3g} {}; check the limit and the masses",
-             joint.name, heaviest[k].torque, unit, fmt::join(in_degrees(robot, heaviest[k].q), ", "),
-             any_slides ? " and m" : "", joint.limits.effort, unit),
-         {{"limits", joint.name, "effort", ""}}});
+  for (const JointHold& heaviest : heaviest_holds(robot)) {
+    const JointInfo& joint = robot.joints[static_cast<std::size_t>(heaviest.joint)];
+    if (heaviest.torque <= joint.limits.effort || contains(missing.effort, joint.name)) continue;
+    doubts.push_back({fmt::format("{}: it needs {}; check the limit and the masses", joint.name,
+                                  compared_with_limit(robot, heaviest)),
+                      {{"limits", joint.name, "effort", ""}}});
   }
 }
 

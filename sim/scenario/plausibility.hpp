@@ -25,6 +25,8 @@ struct Doubt {
 };
 
 /// Returns everything that is doubtful; empty if nothing is. Doubtful are:
+///   - an arm that is so light that every joint could hold all of it, at full reach, with a fifth of its
+///   limit,
 ///   - links that are too light for the effort limit of their joint,
 ///   - link inertia that is too large or too small for the link's mass (radius of gyration),
 ///   - links that all have the same mass and inertia, if there are at least four,

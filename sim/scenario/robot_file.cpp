@@ -32,18 +32,24 @@ bool asks_for_estimate(const RobotFile& file) {
   return node != nullptr && node->is_word("estimated");
 }
 
-/// Returns the numbers of `rotor_inertia: {estimated: ...}`; null if they are not marked as estimates.
-const yaml::Node* own_estimate(const yaml::Node& rotors) {
-  const yaml::Node* values = rotors.kind() == yaml::Node::Kind::kMap ? rotors.find("estimated") : nullptr;
+/// Returns the numbers of `rotor_inertia: {MARK: ...}`; null if they do not have this mark.
+const yaml::Node* marked(const char* mark, const yaml::Node& rotors) {
+  const yaml::Node* values = rotors.kind() == yaml::Node::Kind::kMap ? rotors.find(mark) : nullptr;
   return values != nullptr && rotors.entries().size() == 1 ? values : nullptr;
 }
 
 /// Reads `rotor_inertia` of the joints.
 void read_rotors(const yaml::Node& node, const std::vector<std::string>& joints, RobotModel& model) {
   if (node.is_word("estimated")) return;  // estimate_rotors needs valid limits and is called later
-  const yaml::Node* estimate = own_estimate(node);
-  model.chain.rotor_inertia = yaml::joint_values(estimate != nullptr ? *estimate : node, joints);
-  if (estimate != nullptr) model.estimated_rotors = joints;
+  const yaml::Node* values = marked("estimated", node);
+  if (values != nullptr) model.estimated_rotors = joints;
+  for (const RotorSource source : {RotorSource::kMeasured, RotorSource::kPublished, RotorSource::kAssumed}) {
+    const yaml::Node* own = marked(name(source), node);
+    if (own == nullptr) continue;
+    values = own;
+    model.rotor_source = source;
+  }
+  model.chain.rotor_inertia = yaml::joint_values(values != nullptr ? *values : node, joints);
 }
 
 /// Throws InputError if a link radius is out of range.

@@ -35,6 +35,7 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
 ///   - cell (see cell_of).
 /// `rotor_inertia: estimated` makes armtune estimate the rotor inertia of every joint that has none in the
 /// URDF (rotor_estimate.hpp). `rotor_inertia: {estimated: NUMBERS}` marks the given numbers as estimates.
+/// The marks `measured`, `published` and `assumed` set RobotModel::rotor_source.
 /// Without link_radius, a link's radius is that of its shapes (link_radius.hpp).
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});

@@ -9,7 +9,8 @@
 namespace armtune::internal {
 
 /// Returns the text of a robot YAML for the model. urdf: the name of the model's URDF, as urdf_text() writes
-/// it. Reading both files gives the same RobotModel::chain. comment: one line for the top; may be empty.
+/// it. Reading both files gives the same RobotModel::chain. comment: one line for the top; may be empty. If
+/// the rotor inertia of some joints is an estimate, the mark of all joints is `estimated`.
 std::string robot_yaml(const RobotModel& model, const std::string& urdf, const std::string& comment = {});
 
 /// Returns the key `limits` of a robot YAML with the model's acceleration limits, which a URDF cannot

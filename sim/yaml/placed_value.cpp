@@ -142,7 +142,8 @@ class PlacedBuilder final : public YAML::EventHandler {
     finish(closed.value, closed.anchor);
   }
   void finish(const std::shared_ptr<PlacedValue>& value, YAML::anchor_t anchor) {
-    if (anchor != 0) anchors_[anchor] = value;
+    value->anchored = anchor != 0;
+    if (value->anchored) anchors_[anchor] = value;
     attach(value);
   }
   void attach(const Placed& value, bool alias = false) {

@@ -27,6 +27,7 @@ struct PlacedValue {
 
   Kind kind = Kind::kNull;
   int line = 1;                      ///< counted from 1
+  bool anchored = false;             ///< true if it has an anchor, so that aliases can refer to it
   std::string text;                  ///< of a scalar
   std::size_t begin = 0;             ///< offset of a plain scalar in the file [byte]
   std::size_t end = 0;               ///< offset of the first byte after it; end <= begin: not a plain scalar

@@ -211,8 +211,13 @@ TEST(Robot, SaysWhichOfItsValuesAreEstimatedUnknownOrDoubtful) {
   const Finished ur10 = run_program({"robot", "ur10"});
   EXPECT_THAT(ur10.out, HasSubstr("Joint friction: none given"));
   EXPECT_THAT(run_program({"robot", "panda"}).out, HasSubstr("* an estimate"));
-  EXPECT_THAT(run_program({"robot", "youbot"}).out,
+  EXPECT_THAT(ur10.out, AllOf(HasSubstr("Rotor inertia: assumed"), testing::Not(HasSubstr("drawn"))));
+  EXPECT_EQ(ur10.err, "");
+  const Finished youbot = run_program({"robot", "youbot"});
+  EXPECT_THAT(youbot.out,
               testing::Not(testing::AnyOf(HasSubstr("* an estimate"), HasSubstr("friction: none given"))));
+  EXPECT_THAT(youbot.out, AllOf(HasSubstr("Rotor inertia: published"), HasSubstr("drawn (visual) shapes of "),
+                                HasSubstr("arm_link_1")));
 }
 
 TEST(Help, SaysWhatIsWrongWhereTheBundledDataIsMissing) {

@@ -25,7 +25,7 @@ constexpr Kind kKinds[] = {{"verdict.yaml"},
                            {"robust_errors.csv"},
                            {"samples.csv", {"evaluations.csv"}, RunKind::kRobustness},
                            {"pareto.csv", {}, RunKind::kPareto},
-                           {"comparison.csv", {"scene.json", "evaluations.csv"}, RunKind::kCompare},
+                           {"errors_one.csv", {"scene.json", "evaluations.csv"}, RunKind::kCompare},
                            {"motion.csv", {"errors.csv", "evaluations.csv"}, RunKind::kPlan},
                            {"limits.csv", {"errors.csv", "evaluations.csv"}, RunKind::kPlan}};
 
@@ -33,6 +33,7 @@ constexpr Kind kKinds[] = {{"verdict.yaml"},
 std::string record_of(RunKind kind) {
   RunRecord run;
   run.kind = kind;
+  run.compare = {{"one"}};
   run.front = {{"objective", "joint_velocity/max_ratio"}, 2, true, 0.5};
   run.robustness.emplace().limits = {{"gaze/rms", true, 0.1}, {"joint_velocity/max_ratio", true, 1.0}};
   run.plan.emplace().headline = "0.1 s is the least time";

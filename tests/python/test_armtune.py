@@ -2,6 +2,7 @@
 
 import ast
 import copy
+import json
 import os
 import pathlib
 import signal
@@ -318,6 +319,50 @@ class Module(unittest.TestCase):
             identified = armtune.identify(armtune.load_robot("ur10"), [self.folder / "log/rollout_moving_target.csv"])
             self.assertEqual(len(identified.theta), 13 * 6)
             self.assertLess(max(identified.held_out.by_theta), max(identified.held_out.torque))
+
+    def test_simulate_and_margins_leave_a_folder_and_a_verdict(self):
+        found = armtune.simulate([self.scenario], self.gains, engine="native", folder=self.folder / "sim")
+        (rollout,) = found
+        self.assertIs(found[-1], rollout)
+        self.assertEqual((len(found), found[:1], found.rollouts), (1, [rollout], [rollout]))
+        self.assertEqual((self.folder / "sim/errors.csv").read_text(), armtune.errors_csv(found))
+        verdict = (self.folder / "sim/verdict.yaml").read_text()
+        self.assertIn(f"passed: {str(found.verdict.passed).lower()}\n", verdict)
+        self.assertEqual(verdict.count("{check: "), len(found.verdict.checks))
+        bare = armtune.simulate([self.scenario], self.gains, engine="native")
+        self.assertEqual((bare.files, str(bare.verdict)), ([], str(found.verdict)))
+        with self.assertRaises(IndexError):
+            found[1]
+        with self.assertRaises(armtune.InputError) as caught:
+            armtune.simulate([self.scenario], [self.gains], folder=self.folder / "sets")
+        self.assertEqual(caught.exception.key, "folder")
+        margins = armtune.margins([self.scenario], self.gains, engine="native", folder=self.folder / "margins")
+        self.assertEqual([margin.unit for margin in margins], [check.unit for check in margins.verdict.checks])
+        self.assertIn("margins.csv", margins.files)
+        record = armtune.run_record(self.folder / "margins")
+        self.assertEqual(record, json.loads((self.folder / "margins/run.json").read_text()))
+        self.assertEqual((record["kind"], record["margins"]["margins"]), ("margins", len(margins)))
+        with self.assertRaises(armtune.InputError):
+            armtune.run_record(self.folder)
+
+    def test_the_files_of_a_robot_are_tuned_into_its_parameter_file(self):
+        example = ROOT / "examples/joint_trajectory"
+        parameters = example / "ros2_controllers.yaml"
+        with self.assertWarnsRegex(UserWarning, "500 Hz"):
+            study = armtune.study_from_controllers("ur5e", parameters, [example / "moves.csv"], folder=self.folder / "study", workers=2)
+        study.max_evaluations = 60
+        tuned = armtune.tune(study, folder=self.folder / "run", workers=2)
+        self.assertTrue(tuned.verdict.passed, str(tuned.verdict))
+        self.assertIn(parameters.name, tuned.files)
+        before, after = parameters.read_text().splitlines(), (self.folder / "run" / parameters.name).read_text().splitlines()
+        changed = [line for line, old in zip(after, before, strict=True) if line != old]
+        self.assertTrue(changed)
+        self.assertTrue(all("_joint: {p: " in line for line in changed), changed)
+        loaded = armtune.load_gains(self.folder / "run" / parameters.name, study.scenarios[0])
+        np.testing.assert_allclose(loaded["jtc_p"], tuned.best["jtc_p"])
+        with self.assertRaises(armtune.InputError) as caught:
+            armtune.study_from_controllers("ur5e", parameters, [example / "moves.csv"], folder=self.folder / "slow", rate=1.0)
+        self.assertEqual(caught.exception.key, "rate")
 
     def test_the_examples_with_other_optimisers_find_better_gains(self):
         for script, batches in (("with_scipy.py", 2), ("with_optuna.py", 3), ("own_controller.py", 0)):

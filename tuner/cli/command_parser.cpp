@@ -25,6 +25,7 @@ std::string version_text() {
 
 void add_commands(CLI::App& app, int& exit_code) {
   add_robot_command(app, exit_code);
+  add_logs_command(app, exit_code);
   add_init_command(app, exit_code);
   add_simulate_command(app, exit_code);
   add_tune_command(app, exit_code);
@@ -50,15 +51,6 @@ void add_commands(CLI::App& app, int& exit_code) {
   group_options(app);
 }
 
-/// Ends the help of every command with the program's footer, which gives the exit codes. CLI11 drops it where
-/// a command has a footer of its own.
-void add_exit_codes(CLI::App& app) {
-  const std::string codes = app.get_footer();
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
-    if (!command->get_footer().ends_with(codes)) command->footer(command->get_footer() + "\n\n" + codes);
-  }
-}
-
 }  // namespace
 
 void declare_program(CLI::App& app, int& exit_code) {
@@ -80,7 +72,6 @@ void declare_program(CLI::App& app, int& exit_code) {
                        one_line(error.what()));
   });
   add_commands(app, exit_code);
-  add_exit_codes(app);
 }
 
 void refuse_unknown_command(const CLI::App& app, const std::vector<std::string>& words) {

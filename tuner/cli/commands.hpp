@@ -17,6 +17,7 @@ inline constexpr int kChecksFailed = 3;
 inline constexpr int kInterrupted = 130;
 
 void add_robot_command(CLI::App& app, int& exit_code);
+void add_logs_command(CLI::App& app, int& exit_code);
 void add_init_command(CLI::App& app, int& exit_code);
 void add_simulate_command(CLI::App& app, int& exit_code);
 void add_tune_command(CLI::App& app, int& exit_code);

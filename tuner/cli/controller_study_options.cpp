@@ -5,25 +5,22 @@
 
 #include <CLI/CLI.hpp>
 
-#include "armtune/error.hpp"
-#include "core/common/file_path.hpp"
-#include "sim/scenario/data_files.hpp"
 #include "tuner/cli/interrupt.hpp"
-#include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/say.hpp"
+#include "tuner/cli/session_printer.hpp"
 #include "tuner/cli/stiffness_option.hpp"
-#include "tuner/run/run_folder.hpp"
 #ifdef ARMTUNE_SUITESPARSE
-#include "tuner/planning/session/timed_goals.hpp"
-#include "tuner/planning/session/tool_waypoints.hpp"
+#include "tuner/planning/session/motion_planner.hpp"
 #endif
 
 // armtune built without CHOLMOD has no planner, so it cannot find motions through positions without times, or
 // along waypoints of the tool.
 #ifdef ARMTUNE_SUITESPARSE
+#define ARMTUNE_MOTION_PLANNER motion_planner()
 #define ARMTUNE_WITHOUT_TIMES ". Without times, armtune plans a motion through the positions"
 #define ARMTUNE_WAYPOINTS "or of waypoints of the tool (time, x, y, z and perhaps qw, qx, qy, qz), "
 #else
+#define ARMTUNE_MOTION_PLANNER MotionPlanner()
 #define ARMTUNE_WITHOUT_TIMES ""
 #define ARMTUNE_WAYPOINTS ""
 #endif
@@ -33,7 +30,7 @@ namespace armtune::internal::cli {
 void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inputs, bool required) {
   CLI::Option* robot = command.add_option(
       "--robot", inputs.robot,
-      "the arm: a URDF without xacro macros, a robot YAML, or a bundled robot such as ur5e");
+      "the arm: a URDF (or a xacro file with --xacro), a robot YAML, or a bundled robot such as ur5e");
   CLI::Option* controllers = command.add_option(
       "--controllers", inputs.controllers,
       "your unchanged ROS parameter file. It has the controller to tune: a joint_trajectory_controller, or "
@@ -84,19 +81,9 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
   speed->needs(trajectory);
 }
 
-std::string make_controller_study(ControllerStudyInputs inputs, const std::string& folder) {
-#ifdef ARMTUNE_SUITESPARSE
-  ProgressLine line;
-  inputs.timing = [&line](const JointGoals& goals) {
-    auto timed = time_goals(goals, stop_requested(), [&](std::size_t done, std::size_t all) {
-      line.show(fmt::format("planning the motion of {}: {} of {} moves", goals.file, done, all));
-    });
-    line.clear();
-    return timed;
-  };
-  inputs.tool_motion = motion_along;
-#endif
-  const auto files = write_controller_study(inputs, folder);
+std::string write_study(const ControllerStudyInputs& inputs, const std::string& folder) {
+  SessionPrinter<> printer;
+  const auto files = make_controller_study(inputs, folder, ARMTUNE_MOTION_PLANNER, printer, stop_requested());
   if (!files) {
     fmt::print(stderr, "interrupted while a motion was planned; nothing was written\n");
     return {};
@@ -107,15 +94,8 @@ std::string make_controller_study(ControllerStudyInputs inputs, const std::strin
 }
 
 std::string study_beside_run(const ControllerStudyInputs& inputs, RunPlace& place, bool several_ranks) {
-  if (place.folder.empty()) place.folder = default_run_folder(stem(inputs.robot));
-  const std::string beside = absolute_path(place.folder) + "_study";
-  if (place.resume) return beside + "/study.yaml";
-  if (several_ranks)
-    throw InputError(
-        "tune: several MPI ranks cannot write a study together; write it first with 'armtune init' and the "
-        "same options, then tune it");
-  refuse_used_folder(place.folder);
-  return make_controller_study(inputs, beside);
+  const std::string folder = study_folder_beside(place, inputs, several_ranks);
+  return place.resume ? folder + "/study.yaml" : write_study(inputs, folder);
 }
 
 }  // namespace armtune::internal::cli

@@ -6,12 +6,14 @@
 #include <filesystem>
 
 #include "armtune/error.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/gains/gains_origin.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_file.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal::cli {
 namespace {
@@ -21,6 +23,17 @@ namespace fs = std::filesystem;
 bool names_folder(const std::string& set) {
   std::error_code ignored;
   return fs::is_directory(set, ignored);
+}
+
+/// Returns those of the files that the run did not read as they are now.
+std::vector<std::string> not_read_by(const std::optional<RunRecord>& run, std::vector<std::string> files) {
+  if (!run) return files;
+  std::erase_if(files, [&run](const std::string& file) {
+    return std::any_of(run->inputs.begin(), run->inputs.end(), [&file](const InputFact& input) {
+      return input.path == shown_path(file) && input.hash == hash_of_input(file);
+    });
+  });
+  return files;
 }
 
 }  // namespace
@@ -37,30 +50,25 @@ std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& 
                                                            const std::string& run, const std::string& robot) {
   std::vector<std::string> files = {robot};
   if (!what.robot.empty()) files.push_back(read_robot_file(what.robot).path);
-  const auto of_robot = origin_of_files(files);
   if (run.empty() && !names_folder(what.set)) {
     files.push_back(path);
     return origin_of_files(files);
   }
   const std::string& folder = run.empty() ? what.set : run;
-  auto origin = origin_of_run(folder);
-  const auto is_known = [&origin](const auto& row) {
-    return !row.first.starts_with("input ") || std::find(origin.begin(), origin.end(), row) != origin.end();
-  };
-  const bool of_other_arm = !std::all_of(of_robot.begin(), of_robot.end(), is_known);
+  const std::vector<std::string> other_files = not_read_by(find_run_record(folder), files);
+  const bool of_other_arm = !other_files.empty();
   const auto own = find_run_file(folder, "gains.yaml");  // a Pareto front has no such file
   const bool of_other_gains = !own || hash_of_input(path) != hash_of_input(*own);
-  if (!of_other_arm && !of_other_gains) return origin;
-  origin = origin_of_run(folder, false);
+  if (!of_other_arm && !of_other_gains) return origin_of_run(folder);
+  auto origin = origin_of_run(folder, false);
   origin.insert(
       origin.begin(),
       {"warning",
        fmt::format("this run's objective, limits and margins do not apply to these {}; simulate the gains "
                    "first",
                    of_other_arm ? "gains on this arm" : "gains, which are from another file of the run")});
-  for (const auto& row : of_robot) {
-    if (!is_known(row)) origin.push_back(row);
-  }
+  const auto others = origin_of_inputs(other_files);
+  origin.insert(origin.end(), others.begin(), others.end());
   return origin;
 }
 

@@ -37,7 +37,7 @@ void add_init_command(CLI::App& app, int& exit_code) {
       "A UR robot that follows streamed positions (servoj) has no parameter file:\n"
       "  armtune init --robot ur5e --controller position_streaming --rate 500 --trajectory moves.csv --out mine");
   command->callback([inputs, folder, &exit_code] {
-    const std::string study = make_controller_study(*inputs, *folder);
+    const std::string study = write_study(*inputs, *folder);
     if (study.empty()) {
       exit_code = kInterrupted;
       return;

@@ -85,7 +85,7 @@ void add_margins_command(CLI::App& app, int& exit_code) {
           "target_switch, obstacle_pass and their realistic_ variants");
   command->add_option("--limit", args->limits, kLimitHelp)->default_str(kLimitDefault);
   add_stepper_option(*command, args->stepper);
-  command->add_option("--out", args->settings.folder, "new folder for margins.csv and run.json")
+  command->add_option("--out", args->settings.folder, "new folder for margins.csv, verdict.yaml and run.json")
       ->default_str("no files");
   command
       ->add_option("--workers", args->settings.options.workers,

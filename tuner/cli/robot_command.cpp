@@ -38,7 +38,8 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
     print_warning(
         "no shapes of the arm's links are known, so collisions of the arm with itself and its surroundings "
         "are not checked. If the task has a floor, it was used only to place the circle. To check "
-        "collisions, give the folder of the meshes in ARMTUNE_MESHES, or 'shapes' in a robot YAML");
+        "collisions, source the ROS workspace that has the meshes, give their folder in ARMTUNE_MESHES, or give "
+        "'shapes' in a robot YAML");
   say(fmt::format(
       "\nwrote {0}: {1}task.yaml (a circle with a radius of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"
@@ -84,8 +85,8 @@ void add_robot_command(CLI::App& app, int&) {
       "robot", "Show the joints, limits, masses and reach of a robot file, and what the file lacks");
   command->add_option(
       "ROBOT", *file,
-      "a bundled robot such as ur10, a robot YAML, or a URDF without xacro macros; without ROBOT, the "
-      "bundled robots are listed");
+      "a bundled robot such as ur10, a robot YAML, or a URDF (or a xacro file with --xacro); without "
+      "ROBOT, the bundled robots are listed");
   auto sidecar = std::make_shared<std::string>();
   command->add_option("--sidecar", *sidecar,
                       "new robot YAML in which you fill in the values that the URDF lacks (limits, inertia). "

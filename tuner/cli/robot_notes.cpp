@@ -15,10 +15,14 @@
 namespace armtune::internal::cli {
 namespace {
 
-/// Prints which rotor inertias are estimated, and an estimate if the file does not give all of them.
+/// Prints the mark of the rotor inertia, and an estimate if the file does not give all of it.
 void show_rotors(const RobotModel& model) {
   if (!model.estimated_rotors.empty())
     say("* an estimate, from the robot file or computed from the effort and velocity limits\n");
+  if (model.rotor_source != RotorSource::kGiven)
+    say(fmt::format(
+        "Rotor inertia: {} (the mark in the robot file).{}\n", name(model.rotor_source),
+        model.rotor_source == RotorSource::kAssumed ? " Nobody measured it, as every verdict says." : ""));
   std::vector<std::string> lacking;
   for (int i = 0; i < model.n(); ++i) {
     if (model.chain.rotor_inertia[i] == 0.0)

@@ -65,7 +65,7 @@ void list_bundled_robots() {
   for (const std::string& name : bundled_names("robots")) {
     const auto robot = load_robot(name);
     say(fmt::format("{:<10}{:>7}{:>12.3g}  {}\n", name, robot->n(), reach(*robot),
-                    robot->estimated_rotors.empty() ? "given" : "estimated"));
+                    robot->estimated_rotors.empty() ? internal::name(robot->rotor_source) : "estimated"));
   }
   say("\n'armtune robot NAME' shows one of them, 'armtune robot FILE.urdf' an arm of your own.\n");
 }

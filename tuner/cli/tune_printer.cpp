@@ -69,7 +69,7 @@ void TunePrinter::searched(const TuneOutcome& so_far) {
                   largest_velocity_ratio(study_, result.best), robust_text(study_),
                   result.best.feasible ? "every constraint holds" : "NOT feasible:"));
   if (result.best.feasible) return;
-  if (result.best.status != "completed") say(fmt::format("  {}\n", result.best.status));
+  if (!result.best.completed) say(fmt::format("  {}\n", result.best.reason));
   for (std::size_t c = 0; c < objective.constraints().size(); ++c) {
     if (result.best.constraints[c] > 0.0) {
       say(fmt::format("  {} is violated by {:.4g}\n", objective.constraint_name(c),

@@ -4,52 +4,23 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
+#include <unordered_map>
 
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/control/laws/cartesian_impedance_law.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/joint_impedance_law.hpp"
-#include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/controller_gains.hpp"
 #include "sim/controller_files/parameter_file.hpp"
 #include "sim/yaml/document.hpp"
-#include "sim/yaml/quoted.hpp"
+#include "tuner/controller_study/shared_numbers.hpp"
 
 namespace armtune::internal {
 namespace {
-
-constexpr double kLeastStiffness = 0.2;  // of the start value
-constexpr double kMostDamping = 5.0;     // times the damping that fits the arm's inertia
-
-/// Gains that UR robots accept within fixed bounds only.
-struct AcceptedRange {
-  std::string_view gain;
-  double lower, upper;
-};
-constexpr std::array kAccepted = {AcceptedRange{"servo_gain", 100.0, 2000.0},
-                                  AcceptedRange{"servo_lookahead_time", 0.03, 0.2}};
-
-/// Returns false if the numbers of the file are given by a map, and it names no number for value k of the
-/// gain.
-bool is_in_file(const ControllerInFile& from, const GainField& field, Eigen::Index k) {
-  if (from.controller.layout != GainLayout::kMapped) return true;
-  const auto& places = from.controller.places;
-  return std::any_of(places.begin(), places.end(), [&](const GainPlace& place) {
-    return place.gain == field.name ||
-           place.gain == fmt::format("{}/{}", field.name,
-                                     component_names(field, from.joints)[static_cast<std::size_t>(k)]);
-  });
-}
-
-/// Returns false for a number that belongs to a rotation of the tool, if no motion gives its orientation.
-bool has_effect(const ControllerInFile& from, const GainField& field, Eigen::Index k) {
-  return from.turns || std::get<OwnGain>(field.member).shape != GainShape::kTask || k < 3;
-}
 
 /// True if a map binds a gain of the control loop to the file that most controllers of this kind do not have.
 bool is_bound(const ControllerInFile& from, const GainField& field) {
@@ -58,56 +29,6 @@ bool is_bound(const ControllerInFile& from, const GainField& field) {
          std::any_of(places.begin(), places.end(), [&field](const GainPlace& place) {
            return std::string_view(place.gain).substr(0, place.gain.find('/')) == field.name;
          });
-}
-
-/// Returns the controller's own gains that a study tunes unless it names others.
-std::vector<const GainField*> searched_fields(const ControllerInFile& from) {
-  std::vector<const GainField*> found;
-  for (const GainField& field : fields_of(from.gains)) {
-    if (std::holds_alternative<OwnGain>(field.member) &&
-        (field.search != SearchRange::kNone || is_bound(from, field)))
-      found.push_back(&field);
-  }
-  return found;
-}
-
-JointVector& values_of(Gains& gains, const GainField& field) {
-  return gains.own[std::get<OwnGain>(field.member).place];
-}
-
-/// Throws InputError if the values of the gains in the file cannot be replaced. This is checked before the
-/// search, because the result could otherwise not be written.
-void require_room(const ControllerInFile& from) {
-  Gains others = from.gains;
-  double factor = 1.0;
-  for (const GainField* field : searched_fields(from)) {
-    JointVector& values = values_of(others, *field);
-    for (Eigen::Index k = 0; k < values.size(); ++k) {
-      if (is_in_file(from, *field, k)) values[k] *= factor += 0.01;
-    }
-  }
-  with_gains(from.text, from.controller, from.file, others, from.joints);
-}
-
-/// True if the file has a place for the gain d of joint k.
-bool has_room_for_damping(const ControllerInFile& from, Eigen::Index k) {
-  Gains damped = from.gains;
-  jtc_gain(damped, "d")[k] = 1.0;
-  try {
-    with_gains(from.text, from.controller, from.file, damped, from.joints);
-  } catch (const InputError&) {
-    return false;
-  }
-  return true;
-}
-
-std::string entry(const std::string& gain, const std::string& part, const std::string& bounds = "") {
-  return fmt::format("  - {{name: {}{}}}\n", yaml::quoted(part.empty() ? gain : gain + "/" + part), bounds);
-}
-
-/// Returns the name of the controller's stiffness.
-const char* stiffness_of_controller(const ControllerInFile& from) {
-  return is_of_tool(from) ? "cartesian_impedance_k" : "joint_impedance_k";
 }
 
 /// Returns one bound for each value of the stiffness from the numbers of --max-stiffness. parts: names of the
@@ -129,22 +50,62 @@ std::vector<double> one_for_each(const std::vector<double>& given, const std::ve
       .with_value(fmt::to_string(given.size()), fmt::format("{} or {}", of_tool ? 2 : 1, n));
 }
 
-/// Returns the bounds with which a study searches a gain from `start`, by the factors of its field.
-std::string bounds_by_factors(const GainField& field, double start) {
-  return fmt::format(", lower: {:.6g}, upper: {:.6g}", field.lower_factor * start,
-                     field.upper_factor * start);
+/// Throws InputError if the values of the gains in the file cannot be replaced. This is checked before the
+/// search, because the result could otherwise not be written.
+void require_room(const ControllerInFile& from) {
+  Gains others = from.gains;
+  const std::vector<SharedNumber> shared = shared_numbers(from);
+  std::unordered_map<const SharedNumber*, double> factors;
+  double factor = 1.0;
+  for (const GainField* field : searched_fields(from)) {
+    JointVector& values = values_of(others, *field);
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      if (!is_in_file(from, *field, k)) continue;
+      factor += 0.01;
+      const SharedNumber* number = number_of(shared, *field, static_cast<std::size_t>(k));
+      values[k] *= number == nullptr ? factor : factors.emplace(number, factor).first->second;
+    }
+  }
+  with_gains(from.text, from.controller, from.file, others, from.joints);
 }
 
 }  // namespace
 
+std::vector<const GainField*> searched_fields(const ControllerInFile& from) {
+  std::vector<const GainField*> found;
+  for (const GainField& field : fields_of(from.gains)) {
+    if (std::holds_alternative<OwnGain>(field.member) &&
+        (field.search != SearchRange::kNone || is_bound(from, field)))
+      found.push_back(&field);
+  }
+  return found;
+}
+
+JointVector& values_of(Gains& gains, const GainField& field) {
+  return gains.own[std::get<OwnGain>(field.member).place];
+}
+
+bool is_in_file(const ControllerInFile& from, const GainField& field, Eigen::Index k) {
+  if (from.controller.layout != GainLayout::kMapped) return true;
+  const auto& places = from.controller.places;
+  return std::any_of(places.begin(), places.end(), [&](const GainPlace& place) {
+    return place.gain == field.name ||
+           place.gain == fmt::format("{}/{}", field.name,
+                                     component_names(field, from.joints)[static_cast<std::size_t>(k)]);
+  });
+}
+
+std::string entry_name(const GainField& field, const std::string& part) {
+  return part.empty() ? std::string(field.name) : fmt::format("{}/{}", field.name, part);
+}
+
 ControllerInFile read_controller(const std::string& file, const std::string& node,
                                  const std::vector<std::string>& joints, std::optional<RosDistro> distro) {
   ControllerInFile read;
-  auto found = read_parameter_file(file, node, distro, joints);
-  if (!found) chosen_controller({}, file, node);  // throws
-  read.file = found->path;
-  read.text = std::move(found->text);
-  read.controller = std::move(found->controller);
+  ParameterFile found = required_parameter_file(file, node, distro, joints);
+  read.file = std::move(found.path);
+  read.text = std::move(found.text);
+  read.controller = std::move(found.controller);
   read.joints = joints;
   read.gains = controller_gains(read.controller, read.file, joints);
   validate(read.gains, joints, read.file);
@@ -172,6 +133,10 @@ ControllerInFile new_controller(const std::string& kind, const RobotModel& arm, 
   made.gains = joint_motion_gains(kind, arm.n());
   controller_kind(kind).start(arm, q, made.gains);
   return made;
+}
+
+const char* stiffness_of_controller(const ControllerInFile& from) {
+  return is_of_tool(from) ? "cartesian_impedance_k" : "joint_impedance_k";
 }
 
 bool is_of_tool(const ControllerInFile& from) {
@@ -207,58 +172,6 @@ std::vector<double> bounded_stiffness(const std::vector<double>& given, Controll
     value = most[k];
   }
   return most;
-}
-
-std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
-                             const std::vector<double>& most_stiffness, std::vector<std::string>& undamped) {
-  Gains gains = from.gains;
-  // Drives that follow velocities or positions have damping of their own.
-  const bool needs_damping = gains.controller == kJointTrajectoryController;
-  Gains first = gains;
-  controller_kind(gains.controller).start(arm, q, first);
-  std::string text;
-  for (const GainField* field : searched_fields(from)) {
-    const JointVector& values = values_of(gains, *field);
-    const auto* accepted = std::find_if(kAccepted.begin(), kAccepted.end(),
-                                        [field](const AcceptedRange& a) { return a.gain == field->name; });
-    if (values.size() == 1 && !is_in_file(from, *field, 0)) continue;
-    if (accepted != kAccepted.end()) {
-      text += fmt::format("  - {{name: {}, lower: {}, upper: {}}}   # what UR robots accept\n", field->name,
-                          std::min(accepted->lower, values[0]), std::max(accepted->upper, values[0]));
-      continue;
-    }
-    const std::vector<std::string> parts = component_names(*field, from.joints);
-    const auto is_tuned = [&](std::size_t k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      return values[i] != 0.0 && is_in_file(from, *field, i) && has_effect(from, *field, i);
-    };
-    const bool is_stiffness = field->name == std::string_view(stiffness_of_controller(from));
-    if (is_stiffness && most_stiffness.empty()) continue;
-    std::size_t tuned = 0;
-    for (std::size_t k = 0; k < parts.size(); ++k) tuned += is_tuned(k) ? 1 : 0;
-    if (!is_stiffness && field->search != SearchRange::kNone && tuned == parts.size()) {
-      text += fmt::format("  - {{name: {}}}\n", field->name);
-      continue;
-    }
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      const double start = values[static_cast<Eigen::Index>(k)];
-      if (is_tuned(k)) {
-        text += entry(field->name, parts[k],
-                      is_stiffness ? fmt::format(", lower: {:.6g}, upper: {:.6g}", kLeastStiffness * start,
-                                                 most_stiffness[k])
-                      : field->search == SearchRange::kNone ? bounds_by_factors(*field, start)
-                                                            : "");
-      } else if (needs_damping && &values == &jtc_gain(gains, "d") &&
-                 jtc_gain(gains, "p")[static_cast<Eigen::Index>(k)] != 0.0 &&
-                 has_room_for_damping(from, static_cast<Eigen::Index>(k))) {
-        undamped.push_back(parts[k]);
-        text += entry(field->name, parts[k],
-                      fmt::format(", lower: 0, upper: {:.4g}, scale: linear",
-                                  kMostDamping * jtc_gain(first, "d")[static_cast<Eigen::Index>(k)]));
-      }
-    }
-  }
-  return text;
 }
 
 }  // namespace armtune::internal

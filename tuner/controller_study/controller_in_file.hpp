@@ -1,11 +1,12 @@
 #pragma once
 // Reads the controller of a study from its parameter file, or computes start gains for a controller that has
-// no such file. Selects which of its gains are tuned.
+// no such file.
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/control/gain_fields.hpp"
 #include "core/control/gains.hpp"
 #include "core/robot/robot_model.hpp"
 #include "sim/controller_files/ros_controllers.hpp"
@@ -37,16 +38,21 @@ ControllerInFile read_controller(const std::string& file, const std::string& nod
 /// if it is not one of motion_controllers() (controller_gains.hpp).
 ControllerInFile new_controller(const std::string& kind, const RobotModel& arm, const JointVector& q);
 
-/// Returns the gains that a study tunes, as lines of the study's `parameters`: all that are tuned by default,
-/// are in the file if there is one, and are not 0. Gains that a robot accepts within fixed bounds get these
-/// bounds. For a joint_trajectory_controller that commands efforts, a joint's d of 0 is tuned too, provided
-/// that the file has a place for this d and that the joint's p is not 0. The range of such a d is 0 to five
-/// times the damping that fits the arm's inertia at q (n) [rad, m]. undamped: receives the names of the
-/// joints with such a d.
-/// most_stiffness: largest stiffness of each joint (n) [N m/rad, N/m] or axis of the task (6) [N/m, N m];
-/// empty: the stiffness is not tuned.
-std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
-                             const std::vector<double>& most_stiffness, std::vector<std::string>& undamped);
+/// Returns the controller's own gains that a study tunes unless it names others.
+std::vector<const GainField*> searched_fields(const ControllerInFile& from);
+
+/// Returns the values of one of the controller's own gains.
+JointVector& values_of(Gains& gains, const GainField& field);
+
+/// Returns false if the numbers of the file are given by a map, and it names no number for value k of the
+/// gain.
+bool is_in_file(const ControllerInFile& from, const GainField& field, Eigen::Index k);
+
+/// Returns the name in a study of the value `part` of a gain: "jtc_p/elbow". part: empty for a single number.
+std::string entry_name(const GainField& field, const std::string& part);
+
+/// Returns the name of the controller's stiffness.
+const char* stiffness_of_controller(const ControllerInFile& from);
 
 /// True if the controller has a stiffness that could be tuned.
 bool has_stiffness(const ControllerInFile& from);

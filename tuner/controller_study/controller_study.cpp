@@ -26,6 +26,7 @@
 #include "tuner/controller_study/study_arm.hpp"
 #include "tuner/controller_study/study_motions.hpp"
 #include "tuner/controller_study/study_texts.hpp"
+#include "tuner/controller_study/tuned_parameters.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::internal {
@@ -228,22 +229,22 @@ std::optional<ControllerStudyFiles> write_controller_study(const ControllerStudy
   if (!task) return std::nullopt;
   const JointSpline& first = task->moves.front().motion;
   const JointVector start = first.at(first.begin()).position;
-  std::vector<std::string> undamped;
   const std::vector<double> most_stiffness = bounded_stiffness(inputs.max_stiffness, task->from);
-  const std::string parameters = tuned_parameters(task->from, *arm.model, start, most_stiffness, undamped);
+  const TunedParameters parameters = tuned_parameters(task->from, *arm.model, start, most_stiffness);
   note_stiffness(task->from, most_stiffness, files.notes);
   note_fast_drives(task->from.gains, *arm.model, task->moves, task->rate, files.notes);
   for (const StudyMotion& move : task->moves) add_notes(move, task->segments, files.notes);
-  if (!undamped.empty())
+  if (!parameters.note.empty()) files.notes.push_back(parameters.note);
+  if (!parameters.undamped.empty())
     files.notes.push_back(
         fmt::format("the gain d of {} is 0 in {}; it is tuned as well, because the joints may need damping",
-                    fmt::join(undamped, ", "), inputs.controllers));
+                    fmt::join(parameters.undamped, ", "), inputs.controllers));
   if (!arm.yaml.empty())
     files.notes.push_back(fmt::format(
         "no file gives the rotor inertia of {}: it is estimated from the limits of effort and velocity",
         arm.model->name));
   files.study = folder + "/study.yaml";
-  const auto texts = texts_of(*task, arm, inputs, parameters);
+  const auto texts = texts_of(*task, arm, inputs, parameters.lines);
   for (const auto& entry : texts) files.written.push_back(entry.first);
   if (is_there_already(texts, folder)) return files;
   const FolderLock lock = make_run_folder(folder);

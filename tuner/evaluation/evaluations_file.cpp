@@ -83,8 +83,9 @@ EvaluationsFile::EvaluationsFile(const std::string& path, const Study& study, st
 }
 
 void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
-  std::string row = fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), cell(e.objective),
-                                e.feasible ? 1 : 0, cell(e.violation), cell(e.status));
+  std::string row =
+      fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), cell(e.objective),
+                  e.feasible ? 1 : 0, cell(e.violation), cell(e.completed ? "completed" : e.reason));
   for (const Parameter& p : study_.space.free) row += "," + cell(value(e.gains, p.entry));
   for (const auto& [s, metric] : figures(study_.terms)) row += "," + cell(e.results[s].metrics[metric]);
   for (const auto& [s, metric] : figures(study_.constraints)) row += "," + cell(e.results[s].metrics[metric]);

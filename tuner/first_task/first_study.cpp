@@ -97,7 +97,7 @@ std::string FirstDemands::broken(const Gains& gains) {
       return fmt::format("{} is violated with the nominal arm or with one of {} random arms",
                          objective.constraint_name(c), study_.robust->samples);
   }
-  return e.feasible ? "" : e.status;
+  return e.feasible ? "" : e.reason;
 }
 
 }  // namespace armtune::internal

@@ -13,6 +13,7 @@
 #include "armtune/error.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/holding_torques.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tuner/first_task/estimated_robot.hpp"
 #include "tuner/first_task/first_trial.hpp"
@@ -72,13 +73,16 @@ class TaskSearch {
   /// Returns true if there is any place for a task, even if no gains were found for it.
   bool has_place() const { return has_place_; }
 
-  /// Returns how the last rollout failed. For a heavy arm, it adds the load of the arm's weight.
+  /// Returns how the last rollout failed. For a heavy arm, it adds the torque that holds the arm.
   std::string failed() const {
     if (lightest_ < kHeavy) return failed_;
+    const double effort = arm_->joints[static_cast<std::size_t>(loaded_)].limits.effort;
+    const char* unit = effort_unit(*arm_, loaded_);
     return fmt::format(
-        "{}; even at the place with the least load, gravity alone takes {:.2g} of the effort limit of joint "
-        "'{}'",
-        failed_, lightest_, arm_->joints[static_cast<std::size_t>(loaded_)].name);
+        "{}; even at the place with the least load, joint '{}' needs {:.3g} {} only to hold the arm still, and "
+        "its effort limit is {:.3g} {}",
+        failed_, arm_->joints[static_cast<std::size_t>(loaded_)].name, lightest_ * effort, unit, effort,
+        unit);
   }
 
  private:

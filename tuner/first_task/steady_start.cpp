@@ -10,6 +10,7 @@
 
 #include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/starting_gains.hpp"
 #include "sim/rollout/shake_watch.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -102,6 +103,7 @@ std::vector<Gains> first_sets(const Study& study, const Gains& given) {
     if (gains.controller != given.controller)
       gains = convert_gains(controller_kind(given.controller), gains, robot, goal);
     keep_untuned(given, study, gains);
+    fit_integral_to_clamp(robot, gains);
   }
   return sets;
 }

@@ -119,6 +119,10 @@ void add_run(const RunRecord& run, bool with_figures, Rows& rows) {
   std::erase_if(rows, [](const auto& row) { return row.second.empty(); });
 }
 
+std::pair<std::string, std::string> input_row(const std::string& path, const std::string& hash) {
+  return {"input " + path, hash};
+}
+
 }  // namespace
 
 std::string failed_checks(const std::string& folder) {
@@ -161,13 +165,19 @@ Rows origin_of_run(const std::string& folder, bool with_figures) {
   }
   if (!hash.empty()) rows.emplace_back("gains file", hash);
   if (!run) return rows;
-  for (const InputFact& input : run->inputs) rows.emplace_back("input " + input.path, input.hash);
+  for (const InputFact& input : run->inputs) rows.push_back(input_row(input.path, input.hash));
+  return rows;
+}
+
+Rows origin_of_inputs(const std::vector<std::string>& files) {
+  Rows rows;
+  for (const auto& [file, hash] : hashes(files)) rows.push_back(input_row(file, hash));
   return rows;
 }
 
 Rows origin_of_files(const std::vector<std::string>& files) {
-  Rows rows = {{"version", versions().front().second}};
-  for (const auto& [file, hash] : hashes(files)) rows.emplace_back("input " + file, hash);
+  Rows rows = origin_of_inputs(files);
+  rows.insert(rows.begin(), {"version", versions().front().second});
   return rows;
 }
 

@@ -30,6 +30,9 @@ std::string failed_checks(const std::string& folder);
 /// such run, or if it has no study.
 std::string run_above(const std::string& path);
 
+/// Returns a row for each input file, with its hash, as origin_of_run() does for the inputs of a run.
+std::vector<std::pair<std::string, std::string>> origin_of_inputs(const std::vector<std::string>& files);
+
 /// Returns the origin of a gains file: armtune's version, and the files with their hashes.
 std::vector<std::pair<std::string, std::string>> origin_of_files(const std::vector<std::string>& files);
 

@@ -146,6 +146,9 @@ std::string contact_sentences(const LeastClearances& nearest, const KeptDistance
     missing.emplace_back("contact with the surroundings, as no cell is known");
   if (const auto& unknown = model.arm().unknown; !unknown.empty())
     missing.push_back(fmt::format("{}, whose shapes are not known", fmt::join(unknown, ", ")));
+  if (const auto drawn = drawn_links(model.arm()); !drawn.empty())
+    missing.push_back(
+        fmt::format("collision shapes of {}, which have only drawn ones", fmt::join(drawn, ", ")));
   if (const auto left_out = model.left_out_by_their_make(); !left_out.empty())
     missing.push_back(
         fmt::format("{}, whose shapes touch at nearly every position", fmt::join(left_out, ", ")));

@@ -1,12 +1,7 @@
 #pragma once
 // Converts a log to rows of the regression tau = Y_base theta_base, where tau are the joint torques, Y_base
 // is the regressor and theta_base are the base parameters (base_parameters.hpp).
-//
-// Two zero-phase low-pass filters are applied. The first has a wide band. It turns positions into q, q', q''
-// and torques into tau at a lower rate, and the regressor Y is computed from these. The second has the
-// cutoff of RowOptions and filters every column of Y and tau alike. Both sides of the equation thereby pass
-// the same filter, so that sharp edges, such as those of friction, cause no error (parallel filtering:
-// Gautier, Dynamic identification of robots with power model, 1997).
+// The logged signals pass the two filters of parallel_filter.hpp. The regressor Y is computed between them.
 
 #include <memory>
 
@@ -14,8 +9,7 @@
 #include "tuner/identification/base_parameters.hpp"
 #include "tuner/identification/log_file.hpp"
 #include "tuner/identification/log_instants.hpp"
-#include "tuner/identification/low_pass.hpp"
-#include "tuner/identification/moving_window.hpp"
+#include "tuner/identification/parallel_filter.hpp"
 
 namespace armtune::internal {
 
@@ -46,26 +40,19 @@ class RowStream {
   /// Returns the number of samples of the log read so far.
   long samples() const { return samples_; }
   /// Returns the time between rows [s].
-  double row_period() const { return period_ * motion_step_ * row_step_; }
+  double row_period() const { return filter_.row_period(); }
 
  private:
   /// Returns the matrix (Y_base, tau, q, q', q'') of the newest instant, which has one row per joint, as one
   /// vector, column by column.
   Eigen::VectorXd regressor_rows();
-  void compare_velocities(const JointVector& qd);
+  void compare_velocities(const FilteredMotion& motion);
 
   const RobotModel& model_;
   const BaseParameters& base_;
   LogFile& log_;
   LogInstants& instants_;
-  double period_;
-  LowPass motion_filter_;
-  LowPass torque_filter_;
-  int motion_step_;
-  LowPass row_filter_;
-  int row_step_;
-  MovingWindow motion_;
-  MovingWindow rows_;
+  ParallelFilter filter_;
   Poses poses_;
   SlotineLi slotine_li_;
   Regressor Y_;

@@ -10,7 +10,7 @@
 #include "tuner/interface/kept_inputs.hpp"
 #include "tuner/interface/observing.hpp"
 #include "tuner/interface/rollout_maker.hpp"
-#include "tuner/robustness/margins.hpp"
+#include "tuner/session/margins_session.hpp"
 #include "tuner/session/monte_carlo_session.hpp"
 
 namespace armtune {
@@ -93,23 +93,28 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
   return found;
 }
 
-std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
-                            const MarginsOptions& options) {
+Margins margins(const std::vector<Scenario>& scenarios, const Gains& gains, const MarginsOptions& options) {
   require_workers(options.workers);
   require_fit(gains, scenarios);
-  internal::MarginOptions how;
-  how.engine = internal_of(options.engine);
-  how.workers = options.workers;
-  how.progress = [&](std::size_t done, std::size_t all) {
-    if (options.watch.progress)
-      options.watch.progress({"margins", static_cast<long>(done), static_cast<long>(all)});
-  };
-  std::vector<Margin> found;
-  for (const internal::Margin& margin :
-       internal::margins(internal_of(scenarios), gains.inside(), how, stop_of(options.watch))) {
+  const KeptInputs inputs(options.folder, files_of(scenarios), "a scenario that was changed");
+  internal::MarginsSettings settings;
+  settings.folder = options.folder;
+  settings.scenarios = internal_of(scenarios);
+  settings.gains = gains.inside();
+  settings.options.engine = internal_of(options.engine);
+  settings.options.workers = options.workers;
+  Observing<internal::SessionObserver> observer(options.watch);
+  internal::MarginsSession session(std::move(settings), context_of(options.watch), observer);
+  const internal::MarginsOutcome outcome = session.run();
+
+  Margins found;
+  found.verdict = outcome.verdict;
+  found.interrupted = outcome.ending == internal::Ending::kInterrupted;
+  found.files = outcome.files;
+  for (const internal::Margin& margin : outcome.margins) {
     const internal::MarginField& field = internal::field(margin.kind);
-    found.push_back({field.name, field.unit, margin.scenario, margin.nominal, margin.stands, margin.fails,
-                     margin.reason});
+    found.margins.push_back({field.name, field.unit, margin.scenario, margin.nominal, margin.stands,
+                             margin.fails, margin.reason});
   }
   return found;
 }

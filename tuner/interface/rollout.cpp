@@ -1,15 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/rollout/limit_watch.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "tuner/interface/kept_inputs.hpp"
+#include "tuner/interface/observing.hpp"
 #include "tuner/interface/rollout_maker.hpp"
-#include "tuner/rollouts/simulate.hpp"
-#include "tuner/study/study.hpp"
+#include "tuner/session/simulate_session.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
 namespace armtune {
@@ -90,7 +92,9 @@ static void require_names(const std::vector<Scenario>& scenarios) {
 double Rollout::metric(const std::string& name) const {
   const auto found = metrics_.find(name);
   if (found == metrics_.end()) {
-    throw InputError(fmt::format("{} is not a metric; 'armtune metrics' lists them", internal::shown(name)));
+    throw InputError(InputPlace{.key = "metric"},
+                     fmt::format("{} is not a metric; 'armtune metrics' lists them", internal::shown(name)))
+        .with_value(name);
   }
   return found->second;
 }
@@ -98,7 +102,9 @@ double Rollout::metric(const std::string& name) const {
 std::vector<double> Rollout::column(const std::string& name) const {
   const auto found = std::find(columns_.begin(), columns_.end(), name);
   if (found == columns_.end()) {
-    throw InputError(fmt::format("{}: the recording has no column {}", scenario_, internal::shown(name)));
+    throw InputError(InputPlace{.key = "column"},
+                     fmt::format("the recording of {} has no column {}", scenario_, internal::shown(name)))
+        .with_value(name);
   }
   std::vector<double> values;
   values.reserve(rows());
@@ -107,40 +113,52 @@ std::vector<double> Rollout::column(const std::string& name) const {
   return values;
 }
 
-std::vector<Rollout> simulate(const std::vector<Scenario>& scenarios, const Gains& gains,
-                              const SimulateOptions& options) {
+/// Throws InputError if the recordings cannot be as the options say.
+static void require_recording(const SimulateOptions& options) {
+  const int least = options.folder.empty() ? 0 : 1;
+  if (options.record_every >= least) return;
+  const std::string limit = least > 0 ? "at least 1 in a run with a folder" : "not negative";
+  throw InputError(
+      InputPlace{.key = "record_every"},
+      InputFault{fmt::format("{} control periods per row are not possible", options.record_every),
+                 std::to_string(options.record_every), limit});
+}
+
+Simulated simulate(const std::vector<Scenario>& scenarios, const Gains& gains,
+                   const SimulateOptions& options) {
   require_workers(options.workers);
   require_fit(gains, scenarios);
-  if (options.record_every < 0) {
-    throw InputError(InputPlace{.key = "record_every"},
-                     fmt::format("{}; it must not be negative", options.record_every))
-        .with_value(std::to_string(options.record_every), "not negative");
-  }
-  internal::SimulateOptions how;
-  how.workers = options.workers;
-  how.stepper = internal::stepper_from_name(options.stepper);
-  how.engine = internal_of(options.engine);
-  if (options.deadline > 0.0) how.deadline = options.deadline;
-  how.record_stride = std::max(1, options.record_every);
-  how.progress = [&](std::size_t done) {
-    if (options.watch.progress) {
-      options.watch.progress({"scenarios", static_cast<long>(done), static_cast<long>(scenarios.size())});
-    }
-  };
+  require_recording(options);
+  const KeptInputs inputs(options.folder, files_of(scenarios), "a scenario that was changed");
+  internal::RolloutSettings settings;
+  settings.folder = options.folder;
+  settings.scenarios = internal_of(scenarios);
+  settings.stepper = internal::stepper_from_name(options.stepper);
+  settings.engine = internal_of(options.engine);
+  settings.workers = options.workers;
+  settings.record_every = std::max(1, options.record_every);
+  settings.deadline = options.deadline > 0.0 ? options.deadline : std::numeric_limits<double>::infinity();
+  settings.examine = !options.folder.empty();  // takes a fifth of the time of a short rollout
   std::vector<Rollout> recordings(scenarios.size());
   if (options.record_every > 0) {
-    how.recorded = [&](std::size_t i, internal::Recorder recorder, bool completed) {
+    settings.recorded = [&](std::size_t i, internal::Recorder recorder, bool completed) {
       RolloutMaker::record(recordings[i], std::move(recorder), completed);
     };
   }
-  auto results = internal::simulate(
-      internal_of(scenarios), [&](const internal::Scenario&) { return gains.inside(); }, how,
-      stop_of(options.watch));
-  std::vector<Rollout> rollouts;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    rollouts.push_back(RolloutMaker::watched(std::move(results[i]), std::move(recordings[i])));
+  Observing<internal::SessionObserver> observer(options.watch);
+  const internal::GainsToSimulate set{"gains", "", [&](const internal::Scenario&) { return gains.inside(); }};
+  internal::SimulateSession session(std::move(settings), set, context_of(options.watch), observer);
+  internal::SimulateOutcome outcome = session.run();
+
+  Simulated simulated;
+  simulated.interrupted = outcome.ending == internal::Ending::kInterrupted;
+  if (!simulated.interrupted) simulated.verdict = std::move(outcome.verdict);
+  simulated.files = std::move(outcome.files);
+  for (std::size_t i = 0; i < outcome.results.size(); ++i) {
+    simulated.rollouts.push_back(
+        RolloutMaker::watched(std::move(outcome.results[i]), std::move(recordings[i])));
   }
-  return rollouts;
+  return simulated;
 }
 
 std::vector<std::vector<Rollout>> simulate_sets(const std::vector<Scenario>& scenarios,
@@ -148,6 +166,9 @@ std::vector<std::vector<Rollout>> simulate_sets(const std::vector<Scenario>& sce
                                                 const SimulateOptions& options) {
   require_workers(options.workers);
   require_names(scenarios);
+  if (!options.folder.empty())
+    throw InputError(InputPlace{.key = "folder"},
+                     "a run folder is for one gain set; simulate each set with a folder of its own");
   std::vector<internal::Gains> candidates;
   for (const Gains& gains : sets) {
     require_fit(gains, scenarios);

@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "armtune/error.hpp"
 #include "core/control/laws/valid_gains.hpp"
+#include "tuner/first_task/steady_start.hpp"
 #include "tuner/interface/kept_inputs.hpp"
+#include "tuner/interface/observing.hpp"
 #include "tuner/interface/rollout_maker.hpp"
+#include "tuner/session/controller_study_session.hpp"
 #include "tuner/session/study_files.hpp"
 #include "tuner/study/study.hpp"
 
@@ -28,6 +33,32 @@ std::vector<Scenario> read_scenarios(const internal::Study& study) {
   return scenarios;
 }
 
+/// Returns a study that was just read from files, together with the hashes of its files.
+Study with_files(internal::Study study) {
+  auto scenarios = read_scenarios(study);
+  auto files = std::make_shared<const InputFiles>(input_files(internal::files_of(study)));
+  return {std::move(study), std::move(scenarios), std::move(files)};
+}
+
+/// Throws InputError if an option is outside its limits.
+void require_between(const char* key, double value, double least, double most) {
+  if (value >= least && value <= most) return;
+  throw InputError(InputPlace{.key = key},
+                   InputFault{fmt::format("{} is out of range", value), fmt::to_string(value),
+                              fmt::format("{} to {}", least, most)});
+}
+
+void require_valid(const ControllerStudyOptions& options) {
+  require_workers(options.workers);
+  if (options.folder.empty())
+    throw InputError(InputPlace{.key = "folder"},
+                     "none is given; give a new folder for the files of the study");
+  if (options.rate != 0.0) require_between("rate", options.rate, 10.0, 10000.0);
+  require_between("speed", options.speed, 0.01, 10.0);
+  for (const double stiffness : options.max_stiffness)
+    require_between("max_stiffness", stiffness, std::numeric_limits<double>::min(), 1e9);
+}
+
 }  // namespace
 
 Study::Study(internal::Study inside, std::vector<Scenario> scenarios, std::shared_ptr<const InputFiles> files)
@@ -36,10 +67,29 @@ Study::Study(internal::Study inside, std::vector<Scenario> scenarios, std::share
       files_(std::move(files)) {}
 
 Study Study::load(const std::string& name_or_path, const std::string& controller) {
-  internal::Study study = internal::load_study(name_or_path, controller);
-  auto scenarios = read_scenarios(study);
-  auto files = std::make_shared<const InputFiles>(input_files(internal::files_of(study)));
-  return {std::move(study), std::move(scenarios), std::move(files)};
+  return with_files(internal::load_study(name_or_path, controller));
+}
+
+Study Study::from_controllers(const std::string& robot, const std::string& controllers,
+                              const std::vector<std::string>& trajectories,
+                              const ControllerStudyOptions& options) {
+  require_valid(options);
+  if (trajectories.empty())
+    throw InputError(InputPlace{.key = "trajectories"}, "none are given; give at least one file of a motion");
+  internal::ControllerStudyInputs inputs{robot, controllers, options.node, trajectories};
+  inputs.rate = options.rate;
+  inputs.speed = options.speed;
+  inputs.degrees = options.degrees;
+  inputs.max_stiffness = options.max_stiffness;
+  inputs.kind = options.controller;
+  inputs.distro = options.distro;
+  Observing<internal::SessionObserver> observer(options.watch);
+  const auto files = internal::make_controller_study(
+      inputs, options.folder, options.planner ? *options.planner : internal::MotionPlanner(), observer,
+      stop_of(options.watch));
+  if (!files) throw FailedError("interrupted while a motion was planned; nothing was written");
+  for (const std::string& note : files->notes) observer.warned(note);
+  return with_files(internal::load_steady_study(files->study, {}, options.workers));
 }
 
 Study Study::parse(const std::string& yaml, const StudyInputs& inputs) {

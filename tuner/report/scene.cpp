@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "sim/csv/csv_table.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/walk_extremes.hpp"
 #include "tuner/run/run_file.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal::report {
 namespace {
@@ -61,12 +62,13 @@ std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
       return {};
   }
   std::vector<SceneSet> sets;
-  const CsvTable comparison = CsvTable::read(run_file(folder, "comparison.csv"));
-  for (std::size_t c = 3; c < comparison.header().size(); ++c) {
-    const std::string& name = comparison.header()[c];
-    if (name.ends_with("/ratio")) break;
-    sets.push_back({name, "rollouts_" + name, "errors_" + name + ".csv"});
+  const auto run = find_run_record(folder);
+  if (!run || !run->compare) {
+    throw InputError(InputPlace{folder + "/" + kRunRecord, 0, "compare"},
+                     "does not name the gain sets that were compared; repeat the comparison");
   }
+  for (const std::string& name : run->compare->sets)
+    sets.push_back({name, "rollouts_" + name, "errors_" + name + ".csv"});
   return sets;
 }
 

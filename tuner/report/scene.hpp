@@ -71,7 +71,7 @@ struct Scene {
 };
 
 /// Returns the gain sets of a run folder without scene.json. They depend on the kind of run. For a comparison
-/// their names are read from comparison.csv. Throws InputError if this file cannot be read.
+/// run.json names them. Throws InputError if it cannot be read, or names none.
 std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder);
 
 /// Returns the scene of these scenarios and gain sets. influence_radius: the obstacles' influence radius in

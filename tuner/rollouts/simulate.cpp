@@ -73,7 +73,7 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     }
     const RolloutStatus status = results[i].result.status;
     const bool whole = status == RolloutStatus::kCompleted || status == RolloutStatus::kNoSamples;
-    if (recorder && !options.recorded)
+    if (!options.folder.empty())
       recorder->write_csv(options.folder + "/rollout_" + scenarios[i].name + ".csv", whole);
     const std::lock_guard lock(progress_mutex);
     if (options.recorded) options.recorded(i, std::move(*recorder), whole);

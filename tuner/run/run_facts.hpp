@@ -48,14 +48,16 @@ struct ArithmeticFacts {
 
 /// An input file of a run.
 struct InputFact {
-  std::string path;  ///< as the command named it; "bundled DIR/NAME" for armtune's own files
-  std::string hash;  ///< hash of the bytes that were read, such as "fnv1a-7ea5f0f7399df7ba"
-  std::string copy;  ///< path of its copy below the run folder; empty: there is none
+  std::string path;      ///< as the command named it; "bundled DIR/NAME" for armtune's own files
+  std::string hash;      ///< hash of the bytes that were read, such as "fnv1a-7ea5f0f7399df7ba"
+  std::string copy;      ///< path of its copy below the run folder; empty: there is none
+  bool bundled = false;  ///< true: armtune's own file; false also in records of older versions
   bool operator==(const InputFact&) const = default;
 
   static void declare(auto& f, auto& input) {
     f.type("InputFact")("path", input.path)("hash", input.hash, "Hash of the bytes that were read.");
     f("copy", input.copy, "Path of its copy below the run folder.", record::Presence::kIfAny);
+    f("bundled", input.bundled, "True: armtune's own file.", record::Presence::kLater);
   }
 };
 
@@ -69,6 +71,16 @@ struct SimulationFacts {
   static void declare(auto& f, auto& simulation) {
     f.type("SimulationFacts")("stepper", simulation.stepper)("engine", simulation.engine);
     f("gains_hash", simulation.gains_hash, "Hash of gains.yaml.", record::Presence::kIfAny);
+  }
+};
+
+/// The gain sets of `compare`.
+struct CompareFacts {
+  std::vector<std::string> sets;  ///< names in their order; each has errors_NAME.csv and rollouts_NAME/
+  bool operator==(const CompareFacts&) const = default;
+
+  static void declare(auto& f, auto& compare) {
+    f.type("CompareFacts")("sets", compare.sets, "Names of the gain sets.");
   }
 };
 

@@ -32,6 +32,7 @@ struct RunRecord {
   std::uint64_t seed = 0;
   int workers = 1;
   std::optional<SimulationFacts> simulation;  ///< of `simulate` and `compare`
+  std::optional<CompareFacts> compare;        ///< missing in records of older versions
   std::optional<SearchFacts> search;          ///< of `tune` and `pareto`
   std::optional<TunedFacts> tuned;            ///< of `tune`
   std::optional<FrontFacts> front;            ///< of `pareto`
@@ -52,7 +53,8 @@ struct RunRecord {
     f.type("RunRecord", "How a run was made, and what it found.")("format", run.format)("kind", run.kind);
     f("command", run.command, "Repeats the run in a shell.")("date", run.date, "UTC.");
     f("wall_seconds", run.wall_seconds)("seed", run.seed)("workers", run.workers);
-    f("simulation", run.simulation, "", kIfAny)("search", run.search, "", kIfAny);
+    f("simulation", run.simulation, "", kIfAny)("compare", run.compare, "", kIfAny);
+    f("search", run.search, "", kIfAny);
     f("tuned", run.tuned, "", kIfAny)("front", run.front, "", kIfAny);
     f("robustness", run.robustness, "", kIfAny)("margins", run.margins, "", kIfAny);
     f("plan", run.plan, "", kIfAny)("identification", run.identification, "", kIfAny);

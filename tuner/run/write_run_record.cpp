@@ -6,6 +6,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/run/arithmetic.hpp"
+#include "tuner/run/file_hash.hpp"
 #include "tuner/run/input_copies.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -18,9 +19,11 @@ RunRecord with_circumstances(RunRecord record, const FilesRead& files) {
   record.machine = this_machine();
   record.arithmetic = {arithmetic().level, arithmetic().fingerprint};
   record.inputs.clear();
-  for (const auto& [path, hash] : hashes(files.inputs)) record.inputs.push_back({path, hash, {}});
+  for (const std::string& path : std::set<std::string>(files.inputs.begin(), files.inputs.end()))
+    record.inputs.push_back({shown_path(path), hash_of_input(path), {}, is_bundled(path)});
   const std::set<std::pair<std::string, std::string>> streamed(files.streamed.begin(), files.streamed.end());
-  for (const auto& [path, hash] : streamed) record.inputs.push_back({shown_path(path), hash, {}});
+  for (const auto& [path, hash] : streamed)
+    record.inputs.push_back({shown_path(path), hash, {}, is_bundled(path)});
   return record;
 }
 

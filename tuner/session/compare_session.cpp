@@ -88,8 +88,10 @@ void CompareSession::write_files() const {
   record.command = context_.invocation.line;
   record.workers = settings_.workers;
   record.simulation = {settings_.stepper, settings_.engine, {}};
+  record.compare.emplace();
   FilesRead files;
   for (const GainsToSimulate& set : sets_) {
+    record.compare->sets.push_back(set.name);
     for (const std::string& file : files_of_gains(set.path)) files.inputs.push_back(file);
   }
   add_inputs(settings_.scenarios, files.inputs);

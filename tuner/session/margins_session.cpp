@@ -1,12 +1,14 @@
 #include "tuner/session/margins_session.hpp"
 
-#include <algorithm>
-
 #include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/scenario/gains_file.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/write_run_record.hpp"
+#include "tuner/session/report_files.hpp"
+#include "tuner/verdict/assumptions.hpp"
+#include "tuner/verdict/search_checks.hpp"
 
 namespace armtune::internal {
 
@@ -26,11 +28,18 @@ MarginsOutcome MarginsSession::run() {
   std::vector<Margin>& found = outcome_.margins;
   found = margins(settings_.scenarios, settings_.gains, options, context_.stop);
   observer_.part_is_over();
+  if (!context_.stop) check();
   if (writes) write_results();
-  if (context_.stop) return std::move(outcome_);
-  const auto holds = [](const Margin& m) { return m.stands.has_value(); };
-  outcome_.ending = std::all_of(found.begin(), found.end(), holds) ? Ending::kPassed : Ending::kChecksFailed;
   return std::move(outcome_);
+}
+
+void MarginsSession::check() {
+  SimulationVerdict& verdict = outcome_.verdict;
+  add_nominal_checks(settings_.scenarios, outcome_.margins, verdict);
+  verdict.not_checked = never_checked();
+  add_assumptions(settings_.scenarios, settings_.options.stepper, verdict);
+  add_controller_assumption(settings_.scenarios, settings_.gains, verdict);
+  outcome_.ending = verdict.passed() ? Ending::kPassed : Ending::kChecksFailed;
 }
 
 void MarginsSession::write_margins(const std::vector<Margin>& found) const {
@@ -50,6 +59,13 @@ void MarginsSession::write_results() {
   add_inputs(settings_.scenarios, files.inputs);
   write_run_record(settings_.folder, std::move(record), files);
   outcome_.files = {"margins.csv", kRunRecord, "inputs/"};
+  if (settings_.gains_path.empty()) {
+    write_text_file(settings_.folder + "/gains.yaml", gains_yaml(settings_.gains, {}));
+    outcome_.files.emplace_back("gains.yaml");
+  }
+  if (context_.stop) return;
+  write_verdict(settings_.folder, outcome_.verdict);
+  outcome_.files.emplace_back("verdict.yaml");
 }
 
 }  // namespace armtune::internal

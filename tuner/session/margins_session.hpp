@@ -8,6 +8,7 @@
 #include "tuner/robustness/margins.hpp"
 #include "tuner/session/observer.hpp"
 #include "tuner/session/session_context.hpp"
+#include "tuner/verdict/verdict.hpp"
 
 namespace armtune::internal {
 
@@ -22,6 +23,7 @@ struct MarginsSettings {
 struct MarginsOutcome {
   Ending ending = Ending::kInterrupted;
   std::vector<Margin> margins;     ///< those that were done
+  SimulationVerdict verdict;       ///< one check for each margin (add_nominal_checks); empty if interrupted
   std::vector<std::string> files;  ///< names of the files in the folder
 };
 
@@ -38,6 +40,7 @@ class MarginsSession {
  private:
   void write_margins(const std::vector<Margin>& found) const;
   void write_results();
+  void check();
 
   MarginsSettings settings_;
   SessionContext context_;

@@ -34,6 +34,7 @@ SimulateOptions simulate_options(const RolloutSettings& settings, const std::str
   options.folder = folder;
   options.record_stride = settings.record_every;
   options.deadline = settings.deadline;
+  options.recorded = settings.recorded;
   options.progress = [progress = progress_of(observer, set + ": scenarios"),
                       all = settings.scenarios.size()](std::size_t done) { progress(done, all); };
   return options;
@@ -59,15 +60,22 @@ SimulateSession::SimulateSession(RolloutSettings settings, GainsToSimulate gains
       context_(std::move(context)),
       observer_(observer) {}
 
-SimulateOutcome SimulateSession::run() {
-  const auto& scenarios = settings_.scenarios;
-  warn_of_doubts(scenarios, observer_);
-  for (const Scenario& scenario : scenarios) {
+void SimulateSession::examine_tasks() {
+  warn_of_doubts(settings_.scenarios, observer_);
+  for (const Scenario& scenario : settings_.scenarios) {
     for (const std::string& warning : warn_of_task(scenario, gains_.gains_of(scenario), observer_))
       outcome_.verdict.notes.push_back(warning);
   }
+}
+
+SimulateOutcome SimulateSession::run() {
+  const auto& scenarios = settings_.scenarios;
+  if (settings_.examine) examine_tasks();
   const std::string& folder = settings_.folder;
-  if (!folder.empty()) require_recording_memory(scenarios, settings_.record_every, settings_.workers);
+  if (!folder.empty()) {
+    require_recording_memory(scenarios, settings_.record_every, settings_.workers,
+                             settings_.recorded ? RecordingUse::kKept : RecordingUse::kWritten);
+  }
   const FolderLock lock = make_run_folder(folder);
   const Stopwatch watch;
   outcome_.results = simulate(scenarios, gains_.gains_of,
@@ -80,7 +88,7 @@ SimulateOutcome SimulateSession::run() {
                 check_rollouts(settings_, outcome_.results, outcome_.endured, "", outcome_.verdict),
                 outcome_.verdict);
   add_engine_assumption(settings_.engine, "the scenarios", outcome_.verdict);
-  add_assumptions(scenarios, settings_.stepper, outcome_.verdict);
+  add_assumptions(scenarios, settings_.stepper, outcome_.verdict, settings_.examine);
   add_controller_assumption(scenarios, gains_.gains_of(scenarios.front()), outcome_.verdict);
   if (!folder.empty()) write_conclusion();
   if (!context_.stop) {
@@ -102,7 +110,8 @@ void SimulateSession::write_files() {
   const std::string& folder = settings_.folder;
   write_errors({});
   write_text_file(folder + "/gains.yaml",
-                  gains_yaml(gains_.gains_of(scenarios.front()), {"from " + shown_path(gains_.path)}));
+                  gains_yaml(gains_.gains_of(scenarios.front()),
+                             {gains_.path.empty() ? gains_.name : "from " + shown_path(gains_.path)}));
   RunRecord record;
   record.kind = RunKind::kSimulate;
   record.command = context_.invocation.line;
@@ -110,7 +119,8 @@ void SimulateSession::write_files() {
   record.seed = scenarios.front().seed;
   record.workers = settings_.workers;
   record.simulation = {settings_.stepper, settings_.engine, hash_of_file(folder + "/gains.yaml")};
-  FilesRead files{files_of_gains(gains_.path)};
+  FilesRead files;
+  if (!gains_.path.empty()) files.inputs = files_of_gains(gains_.path);
   add_inputs(scenarios, files.inputs);
   write_run_record(folder, std::move(record), files);
   outcome_.files = {"errors.csv", "rollout_<scenario>.csv", "columns.csv", "gains.yaml", kRunRecord,

@@ -36,6 +36,11 @@ struct RolloutSettings {
   double deadline = 0.0;     ///< for one scenario, wall clock [s]; 0: derived from its duration
   double endurance = 0.0;    ///< length to which every scenario is extended [min]; 0: not extended
   Yardstick yardstick = {};  ///< comparison with the best possible motions; empty: no comparison
+  /// True: examine tasks (task_notes.hpp) and robot files (plausibility.hpp). This takes some milliseconds
+  /// for each scenario, and adds warnings, and notes and assumptions of the verdict.
+  bool examine = true;
+  /// Receives each recording, as in simulate.hpp; may be empty.
+  std::function<void(std::size_t scenario, Recorder recorder, bool completed)> recorded = {};
 };
 
 struct SimulateOutcome {
@@ -72,12 +77,13 @@ class SimulateSession {
   SimulateSession(RolloutSettings settings, GainsToSimulate gains, SessionContext context,
                   SessionObserver& observer);
 
-  /// Runs the session; may be called once. Throws InputError if the folder is not empty, if a path moves a
-  /// joint beyond its position limits with any gains (refuse_winding), or if the recordings do not fit in
-  /// memory. Throws FailedError if a file cannot be written.
+  /// Runs the session; may be called once. Throws InputError if the folder is not empty, if a path that is
+  /// examined moves a joint beyond its position limits with any gains (refuse_winding), or if the recordings
+  /// do not fit in memory. Throws FailedError if a file cannot be written.
   SimulateOutcome run();
 
  private:
+  void examine_tasks();
   void write_files();
   void write_errors(const YardstickFiles& yardstick);
   void write_conclusion();

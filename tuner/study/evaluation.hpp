@@ -20,7 +20,8 @@ struct Evaluation {
   double violation = 0.0;           ///< sum of the positive relative violations; 0 if feasible; if a scenario
                                     ///< did not complete, larger than for any candidate that completed all
   bool feasible = false;
-  std::string status;                  ///< "completed", or why the first failed scenario ended
+  bool completed = false;              ///< true if every scenario completed (corners are not counted)
+  std::string reason;                  ///< why the first failed scenario ended; empty if all completed
   std::vector<RolloutResult> results;  ///< one per simulated scenario, corners (corner.hpp) included
   Engine engine = Engine::kSimbody;    ///< engine that computed the results
   double seconds = 0.0;                ///< wall time of the run when the evaluation was finished [s]

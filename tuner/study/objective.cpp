@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "armtune/error.hpp"
 #include "sim/rollout/applies.hpp"
@@ -243,11 +244,12 @@ void Objective::judge(Evaluation& e) const {
     e.violation += std::max(0.0, relative);
   }
   double incomplete = 0.0;
-  e.status = "completed";
+  e.completed = true;
+  e.reason.clear();
   for (std::size_t s = 0; s < e.results.size(); ++s) {
     if (pushed_[s]) continue;
     const double here = incompleteness(e.results[s], s);
-    if (here > 0.0 && e.status == "completed") e.status = e.results[s].reason;
+    if (here > 0.0 && std::exchange(e.completed, false)) e.reason = e.results[s].reason;
     incomplete += here;
     // The part that was not simulated could have broken every constraint. Therefore the candidate ranks
     // behind all that completed every scenario.

@@ -55,11 +55,11 @@ class Objective {
             const std::vector<Scenario>& scenarios, const std::vector<RolloutResult>& start,
             const std::string& where, OwnObjective own = {});
 
-  /// Sets objective, constraints, violation, feasible and status of `e` from its results. If a scenario other
-  /// than a corner did not complete, `e` is infeasible. In a term, a penalty is then the scenario's score.
-  /// The penalty is finite, and larger than the score of any completed scenario. It increases if the rollout
-  /// ends earlier, and for a hopeless rollout also if constraints are broken farther. The user's own
-  /// objective is replaced by a constant penalty.
+  /// Sets objective, constraints, violation, feasible, completed and reason of `e` from its results. If a
+  /// scenario other than a corner did not complete, `e` is infeasible. In a term, a penalty is then the
+  /// scenario's score. The penalty is finite, and larger than the score of any completed scenario. It
+  /// increases if the rollout ends earlier, and for a hopeless rollout also if constraints are broken
+  /// farther. The user's own objective is replaced by a constant penalty.
   void judge(Evaluation& e) const;
 
   /// Returns the limits at which a candidate's rollouts are abandoned, one entry per simulated scenario. Do

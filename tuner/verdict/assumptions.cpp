@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/control/laws/cartesian_impedance_law.hpp"
 #include "core/control/laws/first_gains.hpp"
@@ -13,10 +14,30 @@
 #include "core/control/laws/position_streaming_law.hpp"
 #include "core/control/laws/velocity_drive.hpp"
 #include "core/robot/friction.hpp"
+#include "core/robot/rotor_estimate.hpp"
 #include "sim/scenario/plausibility.hpp"
 
 namespace armtune::internal {
 namespace {
+
+/// Returns the assumption about rotor inertia that a robot file marks as assumed, compared with the estimate
+/// from the joints' limits (rotor_estimate.hpp).
+std::string assumed_rotors_text(const RobotModel& robot) {
+  RobotModel ruled = robot;
+  ruled.chain.rotor_inertia.setZero();
+  estimate_rotors(ruled);
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (int i = 0; i < robot.n(); ++i) {
+    if (robot.chain.rotor_inertia[i] == 0.0) continue;
+    const double ratio = ruled.chain.rotor_inertia[i] / robot.chain.rotor_inertia[i];
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  return fmt::format(
+      "the rotor inertia that {}'s robot file assumes: nobody measured it, and the estimate from the limits of "
+      "effort and velocity is {:.3g} to {:.3g} times as much",
+      robot.name, least, most);
+}
 
 /// Returns the assumption about the robot's rotor inertia.
 std::string rotors_text(const RobotModel& robot) {
@@ -31,14 +52,18 @@ std::string rotors_text(const RobotModel& robot) {
     if (robot.chain.rotor_inertia[i] == 0.0)
       without.push_back(robot.joints[static_cast<std::size_t>(i)].name);
   }
-  if (without.empty()) return fmt::format("the rotor inertia that {}'s robot file gives", robot.name);
   if (without.size() == static_cast<std::size_t>(robot.n())) {
     return fmt::format("{} has no rotor inertia, because its file gives none", robot.name);
   }
-  return fmt::format(
-      "no rotor inertia for {} of {} (the robot file gives none), and the file's rotor inertias for the "
-      "other joints",
-      fmt::join(without, ", "), robot.name);
+  const bool marked = robot.rotor_source != RotorSource::kGiven;
+  const std::string given =
+      robot.rotor_source == RotorSource::kAssumed
+          ? assumed_rotors_text(robot)
+          : fmt::format("the {}rotor inertia that {}'s robot file gives",
+                        marked ? fmt::format("{} ", name(robot.rotor_source)) : "", robot.name);
+  if (without.empty()) return given;
+  return fmt::format("no rotor inertia for {} of {} (the robot file gives none), and for the other joints {}",
+                     fmt::join(without, ", "), robot.name, given);
 }
 
 /// Returns the longest step of the simulated arm [s]. With the drives of a robot, the steps may be shorter.
@@ -68,6 +93,24 @@ std::string looked_at_for_obstacles(const Scenario& scenario) {
   if (!bodies || (scenario.clearance && scenario.clearance->has(Clearance::kCell))) return {};
   return scenario.robot->chain.link_radius.size() > 0 ? "the capsules between the arm's joints and its tool"
                                                       : "the arm's joint origins and its tool";
+}
+
+/// Adds the assumptions about the shapes with which contacts are checked.
+void add_contact_assumptions(const Scenario& scenario, SimulationVerdict& verdict) {
+  if (!scenario.clearance) return;
+  const ClearanceModel& model = *scenario.clearance;
+  const std::string& robot = scenario.robot->name;
+  if (const auto drawn = drawn_links(model.arm()); !drawn.empty())
+    add_once(fmt::format("clearances rest on the drawn shapes of {} of {}, which have no collision shapes",
+                         fmt::join(drawn, ", "), robot),
+             verdict.assumes);
+  if (!model.arm().unknown.empty())
+    add_once(fmt::format("nothing touches {} of {}, because the shapes there are missing or unreadable",
+                         fmt::join(model.arm().unknown, ", "), robot),
+             verdict.assumes);
+  for (const std::string& pair : model.left_out_by_their_make())
+    add_once(fmt::format("{} do not touch, although their shapes overlap at nearly every position", pair),
+             verdict.assumes);
 }
 
 /// Names the gains of the position loops in the robots' drives. gain: servo_position_gain [1/s].
@@ -138,25 +181,18 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
       verdict.assumes);
 }
 
-void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict) {
+void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict,
+                     bool examine) {
   std::vector<std::string> no_friction;
   std::vector<std::string> no_noise;
   std::vector<std::string> points;
   for (const Scenario& scenario : scenarios) {
     const RobotModel& robot = *scenario.robot;
     add_once(rotors_text(robot), verdict.assumes);
-    for (const std::string& doubt : doubts(robot))
+    for (const std::string& doubt : examine ? doubts(robot) : std::vector<std::string>())
       add_once(fmt::format("{}'s robot file is correct, although it looks wrong: {}", robot.name, doubt),
                verdict.assumes);
-    if (scenario.clearance && !scenario.clearance->arm().unknown.empty())
-      add_once(fmt::format("nothing touches {} of {}, because the shapes there are missing or unreadable",
-                           fmt::join(scenario.clearance->arm().unknown, ", "), robot.name),
-               verdict.assumes);
-    if (scenario.clearance) {
-      for (const std::string& pair : scenario.clearance->left_out_by_their_make())
-        add_once(fmt::format("{} do not touch, although their shapes overlap at nearly every position", pair),
-                 verdict.assumes);
-    }
+    add_contact_assumptions(scenario, verdict);
     if (const std::string bodies = looked_at_for_obstacles(scenario); !bodies.empty())
       add_once(fmt::format("in {}, parts of the arm other than {} do not touch an obstacle", scenario.name,
                            bodies),

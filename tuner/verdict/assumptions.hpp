@@ -14,8 +14,10 @@
 namespace armtune::internal {
 
 /// Adds the assumptions about the scenarios' arms, such as rotor inertia that a robot file does not give, and
-/// about the simulation with this integration method.
-void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict);
+/// about the simulation with this integration method. examine: false leaves out implausible numbers in robot
+/// files (plausibility.hpp), because finding them takes some milliseconds for each arm.
+void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict,
+                     bool examine = true);
 
 /// Adds the assumption that the results of an engine other than Simbody are correct. which: what this engine
 /// simulated, such as "the scenarios". Adds nothing if the engine is Simbody.

@@ -51,6 +51,11 @@ bool is_point(const MovingObstacle& obstacle) {
   return obstacle.radius == 0.0;
 }
 
+/// True if the scenario has no cell, although the arm's file has shapes.
+bool has_unused_shapes(const Scenario& scenario) {
+  return !scenario.clearance && !scenario.robot->shapes.empty();
+}
+
 }  // namespace
 
 void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::string& set,
@@ -152,7 +157,10 @@ void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVe
                     1e3 * unseen),
         verdict.not_checked);
   }
-  add("self-collision", without(Clearance::kSelf));
+  if (const auto names = without(Clearance::kSelf); !names.empty()) {
+    const bool shapes = std::any_of(scenarios.begin(), scenarios.end(), has_unused_shapes);
+    add(shapes ? "self-collision (write 'cell: {}' in the scenario to check it)" : "self-collision", names);
+  }
   const auto no_floor = without(Clearance::kFloor);
   const auto no_parts = without(Clearance::kCell);
   if (no_floor == no_parts) return add("collisions with floor and table", no_floor);

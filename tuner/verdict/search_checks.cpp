@@ -129,9 +129,9 @@ void add_search_checks(const Study& study, const TuneResult& result, const Objec
                       ? broken_margin(study, best, objective, *in_the_way)
                       : broken_constraint(study, best, objective, *in_the_way);
   }
-  if (best.status != "completed" && constraints.passed) {
+  if (!best.completed && constraints.passed) {
     constraints.passed = false;
-    constraints.detail = best.status;
+    constraints.detail = best.reason;
   }
   verdict.checks.push_back(std::move(constraints));
   Check improvement{CheckKind::kBetterThanStart};
@@ -204,6 +204,22 @@ bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOp
     verdict.checks.push_back(std::move(check));
   }
   return true;
+}
+
+void add_nominal_checks(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,
+                        SimulationVerdict& verdict) {
+  for (std::size_t m = 0; m < kMarginCount; ++m) {
+    const auto kind = static_cast<MarginKind>(m);
+    const std::optional<Margin> smallest = least(scenarios, margins, kind);
+    if (!smallest) continue;
+    Check check{check_of(kind), smallest->stands.has_value(), smallest->scenario};
+    check.value = smallest->stands.value_or(NAN);
+    check.threshold = smallest->nominal;
+    check.unit = field(kind).unit;
+    if (!check.passed)
+      check.detail = fmt::format("the closed loop fails without any change ({})", smallest->reason);
+    verdict.checks.push_back(std::move(check));
+  }
 }
 
 bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,

@@ -43,6 +43,11 @@ struct DeepCheckOptions {
 bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                        const std::atomic<bool>& stop, SimulationVerdict& verdict);
 
+/// Adds a check of each margin that is known in every scenario. It passes if every loop is stable without a
+/// change, and has the smallest margin of the scenarios as its value.
+void add_nominal_checks(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,
+                        SimulationVerdict& verdict);
+
 /// Adds a check of the yield, that is, the share of random arms that keep their limits. If the study tunes on
 /// random arms, the check uses other random arms. Returns false if `stop` interrupted the check.
 bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,

@@ -23,8 +23,15 @@ enum class ArmLawKind {
   kImpedance,
   kJointTrajectory,
   kJointImpedance,
-  kCartesianImpedance
+  kCartesianImpedance,
+  kJointTrajectoryVelocity,
+  kPositionStreaming
 };
+
+/// True if the law commands velocities or positions, which the robot's drives follow (joint_drives.hpp).
+constexpr bool commands_drives(ArmLawKind kind) {
+  return kind == ArmLawKind::kJointTrajectoryVelocity || kind == ArmLawKind::kPositionStreaming;
+}
 
 struct JtcNumbers;
 
@@ -53,7 +60,7 @@ struct LawNumbers {
   double adaptation_leakage = 0.0;  ///< [1/s]
   double inertia_leakage = 0.0;     ///< [1/s]
   double filter_share = 0.0;        ///< filter_share() of the adaptation's filter; 0: no filter
-  /// Null for kinds of controllers other than joint_trajectory_controller.
+  /// Null for kinds of controllers other than ROS's joint_trajectory_controller.
   const JtcNumbers* joint_trajectory = nullptr;
 };
 
@@ -67,8 +74,11 @@ class ArmLawT : protected LaneAccessT<T> {
 
   /// Starts the law of one arm. lane: the arm's place in T (0 for a single arm).
   virtual void start(int lane, const LawNumbers& numbers) = 0;
-  /// Sets tau (n). Allocates nothing.
+  /// Sets tau (n): the torques, or the command of the drives if commands_drives() is true. Allocates nothing.
   virtual void torque(const LawPeriodT<T>& at, JointVectorT<T>& tau) = 0;
+  /// Computes the torque (n) that holds the weight of the arm that theta() describes. Drives need it. Laws
+  /// without a fixed model of the arm do nothing here. Allocates nothing.
+  virtual void weigh(const LawPeriodT<T>& /*at*/, JointVectorT<T>& /*weight*/) {}
   /// Is called at the end of every period, after torque(). learning: true for arms that may adapt now,
   /// because no joint is saturated and adaptation is wanted.
   virtual void conclude(const LawPeriodT<T>& /*at*/, const MaskT<T>& /*learning*/) {}

@@ -1,6 +1,7 @@
 #include "core/control/laws/arm_torque_law.hpp"
 
 #include "core/control/adaptation_filter.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/make_arm_law.hpp"
 #include "core/control/laws/one_arm_period.hpp"
@@ -16,12 +17,20 @@ class ArmTorqueLaw final : public TorqueLaw {
         law_(make_arm_law<double>(kind, setup.model.n())),
         adaptive_(kind == ArmLawKind::kAdaptive),
         projects_(adaptive_ && setup.gains.adaptation_projection),
-        period_(setup) {
+        period_(setup),
+        drives_(make_drives(kind, setup)) {
     LawStorage storage;
     law_->start(0, law_numbers(setup, storage));
   }
 
-  void torque(const LawInput& in, JointVector& tau) override { law_->torque(period_.of(in), tau); }
+  void torque(const LawInput& in, JointVector& tau) override {
+    law_->torque(period_.of(in), tau);
+    if (!drives_) return;
+    if (drives_->needs_weight()) law_->weigh(period_.last(), weight_);
+    drives_->begin(tau, in.measured, weight_);
+    drives_->torque(in.measured, tau);
+  }
+  JointDrives* drives() override { return drives_ ? &*drives_ : nullptr; }
 
   void conclude(bool learning) override {
     law_->conclude(period_.last(), learning);
@@ -37,6 +46,8 @@ class ArmTorqueLaw final : public TorqueLaw {
   bool adaptive_;
   bool projects_;
   OneArmPeriod period_;
+  std::optional<JointDrives> drives_;
+  JointVector weight_;
 };
 
 }  // namespace
@@ -57,6 +68,16 @@ LawNumbers law_numbers(const LawSetup& setup, LawStorage& storage) {
     numbers.joint_trajectory = &storage.joint_trajectory;
   }
   return numbers;
+}
+
+std::optional<JointDrives> make_drives(ArmLawKind kind, const LawSetup& setup) {
+  if (!commands_drives(kind)) return {};
+  if (kind == ArmLawKind::kJointTrajectoryVelocity) {
+    return JointDrives(setup.model, setup.period, setup.drives);
+  }
+  return JointDrives(setup.model, setup.period, setup.drives,
+                     {own(setup.gains, "servo_gain")[0], own(setup.gains, "servo_lookahead_time")[0]},
+                     own(setup.gains, "servo_position_gain")[0]);
 }
 
 std::unique_ptr<TorqueLaw> make_torque_law(ArmLawKind kind, const LawSetup& setup) {

@@ -3,6 +3,7 @@
 // (torque_law.hpp).
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/control/laws/arm_law.hpp"
@@ -20,6 +21,9 @@ struct LawStorage {
 /// Returns the start values of the law that such a setup describes. storage and the setup's gains and theta
 /// must outlive the result.
 LawNumbers law_numbers(const LawSetup& setup, LawStorage& storage);
+
+/// Returns the drives that a law of this kind commands, or nothing if it commands torques.
+std::optional<JointDrives> make_drives(ArmLawKind kind, const LawSetup& setup);
 
 std::unique_ptr<TorqueLaw> make_torque_law(ArmLawKind kind, const LawSetup& setup);
 

@@ -11,8 +11,7 @@ Controller::Controller(std::shared_ptr<const RobotModel> model, const Gains& gai
     : logic_(std::move(model), gains, period, mask),
       law_(controller_kind(gains.controller)
                .make({logic_.model(), logic_.gains(), theta, period, mask, timing})),
-      drives_(law_->drives()),
-      effort_limits_(logic_.model().effort_limits()) {}
+      drives_(law_->drives()) {}
 
 const ControlOutput& Controller::update(const JointState& measured, const Scene& scene, double time) {
   const Chain& chain = logic_.model().chain;
@@ -33,17 +32,10 @@ const ControlOutput& Controller::update(const JointState& measured, const Scene&
 
   out.S = measured.qd - out.reference.velocity;
   law_->torque({measured, arm_, out, logic_.Kd(), scene, time}, out.commanded);
-  if (has_drives()) added_ = -out.commanded;
   logic_.limit_torque(measured, view, scene);
-  if (has_drives()) added_ += out.commanded;
+  if (has_drives()) drives_->keep_added(out.commanded);
   law_->conclude(logic_.conclude());
   return out;
-}
-
-void Controller::drive(const JointState& measured, JointVector& commanded, JointVector& torque) {
-  drives_->torque(measured, commanded);
-  commanded += added_;
-  torque = commanded.cwiseMax(-effort_limits_).cwiseMin(effort_limits_);
 }
 
 }  // namespace armtune::internal

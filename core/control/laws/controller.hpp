@@ -30,7 +30,9 @@ class Controller {
   /// Computes the torques (n) [N m, N] of the drives' next period: before saturation, and within the effort
   /// limits. The repulsion of obstacles stays that of the control period. Must not be called without drives.
   /// Allocates nothing.
-  void drive(const JointState& measured, JointVector& commanded, JointVector& torque);
+  void drive(const JointState& measured, JointVector& commanded, JointVector& torque) {
+    drives_->next(measured, commanded, torque);
+  }
 
   const ParameterVector& theta() const { return law_->theta(); }
   const Gains& gains() const { return logic_.gains(); }
@@ -48,9 +50,6 @@ class Controller {
   MeasuredArm arm_;
   std::unique_ptr<TorqueLaw> law_;
   JointDrives* drives_;  ///< of law_, may be null
-  // With drives:
-  JointVector effort_limits_;
-  JointVector added_;  ///< to their torque, by repulsion and velocity barrier
 };
 
 }  // namespace armtune::internal

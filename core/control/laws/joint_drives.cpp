@@ -19,6 +19,7 @@ JointDrives::JointDrives(const RobotModel& model, double period, const DriveTimi
     : steps_(steps_in(period, timing.frequency)),
       step_(period / steps_),
       robot_holds_(model.compensates_gravity),
+      effort_(model.effort_limits()),
       drives_(model),
       delay_(model.n(), timing.delay),
       output_(model, step_) {}
@@ -57,6 +58,13 @@ void JointDrives::torque(const JointState& measured, JointVector& tau) {
   drives_.torque(velocity_, measured.qd, step_, tau);
   if (robot_holds_) tau += held_weight_;
   output_.pass(tau);
+  torque_ = tau;
+}
+
+void JointDrives::next(const JointState& measured, JointVector& commanded, JointVector& torque) {
+  this->torque(measured, commanded);
+  commanded += added_;
+  torque = commanded.cwiseMax(-effort_).cwiseMin(effort_);
 }
 
 }  // namespace armtune::internal

@@ -61,11 +61,18 @@ class JointDrives {
   void begin(const JointVector& command, const JointState& measured, const JointVector& weight);
   /// Computes the torques tau (n) [N m, N] of the next period of the drives. Allocates nothing.
   void torque(const JointState& measured, JointVector& tau);
+  /// Sets what next() adds to the torques (n): the difference between `commanded`, the sum of the last result
+  /// of torque(), the repulsion of obstacles and the velocity barrier, and that result.
+  void keep_added(const JointVector& commanded) { added_ = commanded - torque_; }
+  /// Computes the torques (n) of the next period, with those that keep_added() set for the control period:
+  /// before saturation, and within the effort limits. Allocates nothing.
+  void next(const JointState& measured, JointVector& commanded, JointVector& torque);
 
  private:
   int steps_;
   double step_;  ///< period of the drives [s]
   bool robot_holds_;
+  JointVector effort_;  ///< effort limits
   JointVector position_gain_;
   std::optional<PositionServo> servo_;
   VelocityDrives drives_;
@@ -75,6 +82,8 @@ class JointDrives {
   JointVector commanded_;    ///< the command that acts now
   JointVector velocity_;     ///< command for the velocity drives
   JointVector held_weight_;  ///< added to their torque
+  JointVector torque_;       ///< the last result of torque()
+  JointVector added_;        ///< to the torque, by repulsion and velocity barrier
 };
 
 }  // namespace armtune::internal

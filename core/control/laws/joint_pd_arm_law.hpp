@@ -10,7 +10,7 @@ template <typename T>
 class JointPdArmLawT final : public ModelArmLawT<T> {
  public:
   explicit JointPdArmLawT(int n) : ModelArmLawT<T>(n) {
-    for (JointVectorT<T>* x : {&P_, &D_, &q_reference_, &step_, &rest_}) x->setZero(n);
+    for (JointVectorT<T>* x : {&P_, &D_, &q_reference_, &step_}) x->setZero(n);
   }
 
   /// Uses the gains joint_pd_p (n) and joint_pd_d (n).
@@ -25,7 +25,7 @@ class JointPdArmLawT final : public ModelArmLawT<T> {
     // While an obstacle repels the arm, q_ref follows the arm. Otherwise P would pull the arm back.
     const MaskT<T> from_here = this->either(at.yields, fresh_ > T(0.0));
     fresh_ = T(0.0);
-    this->model_torque(at, rest_, rest_, rest_, tau);
+    this->weigh(at, tau);
     for (Eigen::Index i = 0; i < tau.size(); ++i) {
       q_reference_[i] = select(from_here, at.q[i], q_reference_[i]);
       tau[i] += P_[i] * (q_reference_[i] - at.q[i]) - D_[i] * at.S[i];
@@ -44,8 +44,7 @@ class JointPdArmLawT final : public ModelArmLawT<T> {
  private:
   JointVectorT<T> P_, D_;
   JointVectorT<T> q_reference_, step_;
-  JointVectorT<T> rest_;  ///< zeros
-  T fresh_{1.0};          ///< above zero before the first period
+  T fresh_{1.0};  ///< above zero before the first period
 };
 
 }  // namespace armtune::internal

@@ -1,7 +1,8 @@
 #pragma once
-// ROS's joint_trajectory_controller with effort commands, as a template for one arm or several at once
-// (arm_law.hpp). The torque is the command of jtc_command.hpp. If the robot itself compensates gravity, the
-// torque that holds the arm's weight is added. joint_trajectory_law.hpp explains the law.
+// ROS's joint_trajectory_controller, as a template for one arm or several at once (arm_law.hpp). Its output
+// is the command of jtc_command.hpp: the velocities that the drives follow, or torques. If the robot itself
+// compensates gravity, the torque that holds the arm's weight is added to torques. joint_trajectory_law.hpp
+// explains the law.
 
 #include "core/control/laws/jtc_command.hpp"
 #include "core/control/laws/model_arm_law.hpp"
@@ -11,7 +12,7 @@ namespace armtune::internal {
 template <typename T>
 class JointTrajectoryArmLawT final : public ModelArmLawT<T> {
  public:
-  explicit JointTrajectoryArmLawT(int n) : ModelArmLawT<T>(n), command_(n) { rest_.setZero(n); }
+  explicit JointTrajectoryArmLawT(int n) : ModelArmLawT<T>(n), command_(n) {}
 
   /// Uses LawNumbers::joint_trajectory.
   void start(int lane, const LawNumbers& numbers) override {
@@ -23,7 +24,7 @@ class JointTrajectoryArmLawT final : public ModelArmLawT<T> {
   void torque(const LawPeriodT<T>& at, JointVectorT<T>& tau) override {
     command_.compute(at, tau);
     if (!any(held_by_robot_)) return;
-    this->model_torque(at, rest_, rest_, rest_, weight_);
+    this->weigh(at, weight_);
     for (Eigen::Index i = 0; i < tau.size(); ++i) {
       tau[i] = select(held_by_robot_, tau[i] + weight_[i], tau[i]);
     }
@@ -32,7 +33,6 @@ class JointTrajectoryArmLawT final : public ModelArmLawT<T> {
  private:
   JtcCommandT<T> command_;
   MaskT<T> held_by_robot_{};
-  JointVectorT<T> rest_;  ///< zeros
   JointVectorT<T> weight_;
 };
 

@@ -1,12 +1,11 @@
 #include "core/control/laws/joint_trajectory_law.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "core/control/laws/arm_torque_law.hpp"
 #include "core/control/laws/first_gains.hpp"
-#include "core/control/laws/joint_drives.hpp"
-#include "core/control/laws/one_arm_period.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -52,35 +51,6 @@ bool wraps(Wraparound rule, bool has_limits, bool asked) {
   if (rule == Wraparound::kAsParameter) return asked;
   return rule == Wraparound::kAll || !has_limits;
 }
-
-/// The law with velocity commands. Its drives compute torques between control periods too, from states that
-/// are measured then.
-class JointTrajectoryVelocityLaw final : public TorqueLaw {
- public:
-  explicit JointTrajectoryVelocityLaw(const LawSetup& setup)
-      : TorqueLaw(setup),
-        period_(setup),
-        law_(setup.model.n()),
-        drives_(setup.model, setup.period, setup.drives) {
-    law_.start(0, jtc_numbers(setup.model, setup.gains));
-  }
-
-  void torque(const LawInput& in, JointVector& tau) override {
-    law_.compute(period_.of(in), command_);
-    if (drives_.needs_weight()) gravity_torque(in.arm, weight_);
-    drives_.begin(command_, in.measured, weight_);
-    drives_.torque(in.measured, tau);
-  }
-
-  JointDrives* drives() override { return &drives_; }
-
- private:
-  OneArmPeriod period_;
-  JtcCommandT<double> law_;
-  JointDrives drives_;
-  JointVector command_;  ///< velocities
-  JointVector weight_;
-};
 
 /// Its own gains: units of an effort, or of a velocity that is commanded.
 std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*, 5>& units, double p,
@@ -165,6 +135,15 @@ double jtc_lower_i_clamp(const Gains& gains, Eigen::Index joint) {
   return own_size != 0.0 ? own_size : jtc_gain(gains, "i_clamp")[joint];
 }
 
+void fit_integral_to_clamp(const RobotModel& model, Gains& gains) {
+  if (gains.controller != kJointTrajectoryController) return;
+  const JointVector effort = model.effort_limits();
+  for (Eigen::Index i = 0; i < effort.size(); ++i) {
+    const double clamp = std::min(jtc_gain(gains, "i_clamp")[i], jtc_lower_i_clamp(gains, i));
+    if (clamp < effort[i]) jtc_gain(gains, "i")[i] *= clamp / effort[i];
+  }
+}
+
 bool feeds_next_velocity(const Gains& gains) {
   return is_joint_trajectory_controller(gains.controller) &&
          rules_of(jtc_distro(gains)).feeds_next_velocity && !jtc_gain(gains, "ff_velocity_scale").isZero(0.0);
@@ -172,7 +151,7 @@ bool feeds_next_velocity(const Gains& gains) {
 
 JtcNumbers jtc_numbers(const RobotModel& model, const Gains& gains) {
   JtcNumbers numbers;
-  numbers.held_by_robot = model.compensates_gravity;
+  numbers.held_by_robot = model.compensates_gravity && gains.controller == kJointTrajectoryController;
   const auto anti_windup = static_cast<std::size_t>(jtc_gain(gains, "antiwindup")[0]);
   for (int i = 0; i < model.n(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -218,8 +197,10 @@ ControllerKind joint_trajectory_velocity_controller() {
           {},
           jtc_fields(kJointTrajectoryVelocityController, {"1/s", "1/s^2", "1", "rad/s", "1"},
                      kOuterRate * kDriveRate, 0.0),
-          [](const LawSetup& setup) { return std::make_unique<JointTrajectoryVelocityLaw>(setup); },
-          [](const RobotModel&, const JointVector&, Gains& gains) { without_velocity_limits(gains); }};
+          [](const LawSetup& setup) { return make_torque_law(ArmLawKind::kJointTrajectoryVelocity, setup); },
+          [](const RobotModel&, const JointVector&, Gains& gains) { without_velocity_limits(gains); },
+          false,
+          ArmLawKind::kJointTrajectoryVelocity};
 }
 
 }  // namespace armtune::internal

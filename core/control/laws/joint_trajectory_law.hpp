@@ -27,6 +27,13 @@ RosDistro jtc_distro(const Gains& gains);
 /// Returns the size of the lower bound of the integral's contribution for a joint.
 double jtc_lower_i_clamp(const Gains& gains, Eigen::Index joint);
 
+/// Multiplies the integral gain of each joint with effort commands by i_clamp / effort limit, if that is
+/// below
+/// 1. With i = 1/s p, the integral then reaches its clamp in 1 s at the position error at which p alone gives
+/// the largest torque, whatever the clamp. A larger i only switches the integral between its clamps. Where
+/// ROS lets it grow beyond them, it also takes long to return. Leaves gains of other kinds unchanged.
+void fit_integral_to_clamp(const RobotModel& model, Gains& gains);
+
 /// True if the feed-forward of these gains takes the desired velocity of the next period of a planned motion.
 /// False for gains of other kinds.
 bool feeds_next_velocity(const Gains& gains);

@@ -17,7 +17,8 @@ struct JtcNumbers {
   std::array<RosPidGains, kMaxJoints> pid{};
   std::array<double, kMaxJoints> feed_forward{};  ///< ff_velocity_scale
   std::array<bool, kMaxJoints> wraps{};  ///< true: the position error of the joint is wrapped to -pi .. pi
-  bool held_by_robot = false;            ///< the robot itself compensates gravity
+  /// The command is an effort, to which the robot itself adds the torque that holds its weight.
+  bool held_by_robot = false;
 };
 
 template <typename T>

@@ -9,6 +9,7 @@
 #include "core/control/laws/joint_impedance_arm_law.hpp"
 #include "core/control/laws/joint_pd_arm_law.hpp"
 #include "core/control/laws/joint_trajectory_arm_law.hpp"
+#include "core/control/laws/position_streaming_arm_law.hpp"
 
 namespace armtune::internal {
 
@@ -24,11 +25,14 @@ std::unique_ptr<ArmLawT<T>> make_arm_law(ArmLawKind kind, int n) {
     case ArmLawKind::kImpedance:
       return std::make_unique<ImpedanceArmLawT<T>>(n);
     case ArmLawKind::kJointTrajectory:
+    case ArmLawKind::kJointTrajectoryVelocity:
       return std::make_unique<JointTrajectoryArmLawT<T>>(n);
     case ArmLawKind::kJointImpedance:
       return std::make_unique<JointImpedanceArmLawT<T>>(n);
     case ArmLawKind::kCartesianImpedance:
       return std::make_unique<CartesianImpedanceArmLawT<T>>(n);
+    case ArmLawKind::kPositionStreaming:
+      return std::make_unique<PositionStreamingArmLawT<T>>(n);
   }
   return nullptr;
 }

@@ -10,9 +10,13 @@ template <typename T>
 class ModelArmLawT : public ArmLawT<T> {
  public:
   explicit ModelArmLawT(int n)
-      : theta_(ParameterVectorT<T>::Zero((kLinkParameters + kJointParameters) * n)) {}
+      : theta_(ParameterVectorT<T>::Zero((kLinkParameters + kJointParameters) * n)),
+        rest_(JointVectorT<T>::Zero(n)) {}
 
   void start(int lane, const LawNumbers& numbers) override { this->put_all(lane, numbers.theta, theta_); }
+  void weigh(const LawPeriodT<T>& at, JointVectorT<T>& weight) override {
+    model_torque(at, rest_, rest_, rest_, weight);
+  }
   ParameterVectorT<T>& theta() override { return theta_; }
 
  protected:
@@ -24,6 +28,7 @@ class ModelArmLawT : public ArmLawT<T> {
   }
 
   ParameterVectorT<T> theta_;
+  JointVectorT<T> rest_;  ///< zeros
   SlotineLiT<T> motion_;
 };
 

@@ -1,43 +1,13 @@
 #include "core/control/laws/position_streaming_law.hpp"
 
-#include "core/control/laws/desired_joints.hpp"
+#include "core/control/laws/arm_torque_law.hpp"
 #include "core/control/laws/first_gains.hpp"
-#include "core/control/laws/joint_drives.hpp"
-#include "core/control/laws/one_arm_period.hpp"
 
 namespace armtune::internal {
 namespace {
 
 constexpr double kServoGain = 300.0;  // 1/s^2, UR's default
 constexpr double kLookahead = 0.1;    // s, UR's default
-
-class PositionStreamingLaw final : public TorqueLaw {
- public:
-  explicit PositionStreamingLaw(const LawSetup& setup)
-      : TorqueLaw(setup),
-        drives_(setup.model, setup.period, setup.drives,
-                {own(setup.gains, "servo_gain")[0], own(setup.gains, "servo_lookahead_time")[0]},
-                own(setup.gains, "servo_position_gain")[0]),
-        period_(setup),
-        desired_(setup.model.n()) {
-    desired_.start(0);
-  }
-
-  void torque(const LawInput& in, JointVector& tau) override {
-    if (drives_.needs_weight()) gravity_torque(in.arm, weight_);
-    desired_.compute(period_.of(in));
-    drives_.begin(desired_.position(), in.measured, weight_);
-    drives_.torque(in.measured, tau);
-  }
-
-  JointDrives* drives() override { return &drives_; }
-
- private:
-  JointDrives drives_;
-  OneArmPeriod period_;
-  DesiredJointsT<double> desired_;
-  JointVector weight_;
-};
 
 }  // namespace
 
@@ -62,8 +32,10 @@ ControllerKind position_streaming_controller() {
                                          "0.03 to 0.2 s",
                                          kLookahead, 0.3, 2.0))),
            position},
-          [](const LawSetup& setup) { return std::make_unique<PositionStreamingLaw>(setup); },
-          [](const RobotModel&, const JointVector&, Gains& gains) { without_velocity_limits(gains); }};
+          [](const LawSetup& setup) { return make_torque_law(ArmLawKind::kPositionStreaming, setup); },
+          [](const RobotModel&, const JointVector&, Gains& gains) { without_velocity_limits(gains); },
+          false,
+          ArmLawKind::kPositionStreaming};
 }
 
 }  // namespace armtune::internal

@@ -38,8 +38,7 @@ struct LawInput {
 
 class TorqueLaw {
  public:
-  explicit TorqueLaw(const LawSetup& setup)
-      : chain_(setup.model.chain), theta_(setup.theta), rest_(JointVector::Zero(setup.model.n())) {}
+  explicit TorqueLaw(const LawSetup& setup) : chain_(setup.model.chain), theta_(setup.theta) {}
   TorqueLaw(const TorqueLaw&) = delete;
   TorqueLaw& operator=(const TorqueLaw&) = delete;
   virtual ~TorqueLaw() = default;
@@ -69,17 +68,10 @@ class TorqueLaw {
     slotine_li_forward(chain_, arm.poses, qd, v, a, motion_);
     slotine_li_torque(chain_, arm.poses, motion_, theta_, tau);
   }
-  /// Computes g(q) (n) of the arm that theta describes.
-  void gravity_torque(const MeasuredArm& arm, JointVector& tau) {
-    model_torque(arm, rest_, rest_, rest_, tau);
-  }
 
   const Chain& chain_;
   ParameterVector theta_;
   SlotineLi motion_;
-
- private:
-  JointVector rest_;  ///< zeros
 };
 
 }  // namespace armtune::internal

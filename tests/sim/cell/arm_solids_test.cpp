@@ -40,6 +40,7 @@ TEST(ArmSolids, EveryLinkCountsWithItsOwnShapes) {
   beside.size = {0.1, 0.0, 0.0};
   arm.shapes.push_back(beside);
   const ArmSolids all = arm_solids(arm);
+  EXPECT_THAT(drawn_links(all), ElementsAre("gripper")) << "the only link without collision shapes";
   EXPECT_THAT(all.unknown, ElementsAre("camera"));
   EXPECT_THAT(all.unread,
               ElementsAre(testing::AllOf(testing::StartsWith("nowhere.stl: there is no such file"),

@@ -2,11 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tests/sim/cell/busy_cell.hpp"
 
@@ -61,71 +59,6 @@ TEST(ClearanceModel, BetweenTwoTimesNoDistanceIsSmallerByMoreThanTheUnseenPart) 
     }
   }
   EXPECT_GT(largest, 0.1) << "or the bound says nothing";
-}
-
-/// The least of |a0 + s da - b0 - t db|^2 over s, t in [0, 1]: the quadratic program of two segments, solved
-/// by going through every set of active bounds.
-double least_between(const Vec3& a0, const Vec3& da, const Vec3& b0, const Vec3& db) {
-  const auto at = [&](double s, double t) { return (a0 + s * da - b0 - t * db).norm(); };
-  double least = std::numeric_limits<double>::infinity();
-  const auto clamped = [](double x) { return std::clamp(std::isfinite(x) ? x : 0.0, 0.0, 1.0); };
-  for (const double end : {0.0, 1.0}) {
-    least = std::min(least, at(end, clamped((a0 + end * da - b0).dot(db) / db.squaredNorm())));
-    least = std::min(least, at(clamped((b0 + end * db - a0).dot(da) / da.squaredNorm()), end));
-  }
-  Eigen::Matrix2d H;
-  H << da.dot(da), -da.dot(db), -da.dot(db), db.dot(db);
-  const Eigen::Vector2d free = H.fullPivLu().solve(Eigen::Vector2d(-da.dot(a0 - b0), db.dot(a0 - b0)));
-  if (free.minCoeff() >= 0.0 && free.maxCoeff() <= 1.0) least = std::min(least, at(free[0], free[1]));
-  return least;
-}
-
-/// A capsule of an arm in frame 0 at joint positions whose poses are given: its axis.
-struct Axis {
-  Vec3 from, along;
-  double radius;
-};
-Axis axis_of(const Shape& shape, const Poses& poses) {
-  const auto k = static_cast<std::size_t>(std::max(shape.body, 0));
-  const Mat3 R = shape.body < 0 ? Mat3(Mat3::Identity()) : poses.R_0B[k];
-  const Vec3 p = shape.body < 0 ? Vec3(Vec3::Zero()) : poses.p_0B[k];
-  const Vec3 z = R * shape.R_BS.col(2);
-  return {p + R * shape.p_BS - 0.5 * shape.size[1] * z, shape.size[1] * z, shape.size[0]};
-}
-
-// Against a computation that shares nothing with the model but the arm's file and its kinematics. Where
-// bodies meet, by how much they do.
-TEST(ClearanceModel, DistancesOfArmsOfCapsulesAreThoseOfASmallQuadraticProgram) {
-  std::mt19937 generator(18);
-  int met = 0;
-  for (const char* name : {"ur5e", "fr3", "iiwa14"}) {
-    const auto arm = load_robot(name);
-    const ClearanceModel model(arm, Cell{});
-    for (int sample = 0; sample < 1000; ++sample) {
-      const JointVector q = test::random_configuration(generator, *arm);
-      const Poses poses = test::poses_at(arm->chain, q);
-      double least = std::numeric_limits<double>::infinity(), found = least;
-      for (const ContactPair& pair : model.pairs())
-        found = std::min(found, model.distance(pair, poses, Vec3::Zero()).distance);
-      for (const Shape& a : arm->shapes) {
-        for (const Shape& b : arm->shapes) {
-          if (!a.collision || !b.collision || b.body - a.body < 2) continue;
-          const bool looked_at =
-              std::any_of(model.pairs().begin(), model.pairs().end(), [&](const ContactPair& pair) {
-                return model.arm().solids[pair.other].link == a.link_name &&
-                       model.arm().solids[pair.solid].link == b.link_name;
-              });
-          ASSERT_TRUE(looked_at) << a.link_name << ", " << b.link_name;
-          const Axis one = axis_of(a, poses), other = axis_of(b, poses);
-          least = std::min(
-              least, least_between(one.from, one.along, other.from, other.along) - one.radius - other.radius);
-        }
-      }
-      EXPECT_NEAR(found, least, 1e-6) << name << ", sample " << sample;
-      met += least < 0.0 ? 1 : 0;
-    }
-  }
-  EXPECT_GT(met, 100);
 }
 
 /// Closest points are points of the bodies, of the floor too, and the distance changes along `away`.

@@ -160,7 +160,8 @@ TEST(ClearanceWatch, MissesNoContactOfTheArmWithItselfThatLastsAMoment) {
 
 TEST(ClearanceNow, FindsTheSmallestDistancesOfEveryMoment) {
   std::mt19937 generator(15);
-  long computed = 0;
+  int apart = 0;
+  int meeting = 0;
   for (const auto& arm : test::shaped_arms()) {
     const auto model = std::make_shared<const ClearanceModel>(arm, test::busy_cell());
     const test::Swing swing(generator, *arm);
@@ -180,13 +181,14 @@ TEST(ClearanceNow, FindsTheSmallestDistancesOfEveryMoment) {
       }
       for (std::size_t kind = 0; kind < kClearances; ++kind)
         EXPECT_EQ(now.least()[kind].distance, expected[kind].distance) << arm->name << ", kind " << kind;
+      (closest > 0.0 ? apart : meeting) += 1;
       if (closest > 0.0) {
         EXPECT_NEAR((now.closest().on_a - now.closest().on_b).norm(), closest, 1e-9) << arm->name;
       }
     }
-    computed += 1;
   }
-  EXPECT_GT(computed, 0);
+  EXPECT_GT(apart, 100) << "or no closest points were compared";
+  EXPECT_GT(meeting, 100);
 }
 
 TEST(ClearanceWatch, ASlideBeyondItsLimitsIsLookedAtEveryTime) {

@@ -60,6 +60,31 @@ TEST_F(MeshPath, APackageIsCalledWhatItsFileSays) {
   EXPECT_TRUE(refuses("package://third/meshes/link.stl"));
 }
 
+TEST_F(MeshPath, FindsPackagesWhereRosDoes) {
+  for (const char* folder :
+       {"elsewhere", "install/share/my_description/meshes", "src/my_description/meshes"}) {
+    fs::create_directories(folder_ / folder);
+  }
+  folder_.write("elsewhere/arm.urdf", "x");
+  const std::string named = "package://my_description/meshes/link.stl", urdf = "elsewhere/arm.urdf";
+  const std::string installed = folder_.write("install/share/my_description/meshes/link.stl", "x");
+  const std::string source = folder_.write("src/my_description/meshes/link.stl", "x");
+  ::setenv("AMENT_PREFIX_PATH", (folder_ / "nowhere:" + (folder_ / "install")).c_str(), 1);
+  EXPECT_TRUE(refuses(named, urdf)) << "it has no package.xml";
+  folder_.write("install/share/my_description/package.xml", "<name>my_description</name>");
+  EXPECT_TRUE(finds(named, installed, urdf));
+  EXPECT_TRUE(refuses("package://my_description/../../../other/meshes/link.stl", urdf));
+  EXPECT_TRUE(refuses("package://../share/my_description/meshes/link.stl", urdf));
+  ::unsetenv("AMENT_PREFIX_PATH");
+  EXPECT_TRUE(refuses(named, urdf));
+  folder_.write("src/my_description/package.xml", "<name>my_description</name>");
+  for (const std::string entry : {"src", "src/my_description"}) {
+    ::setenv("ROS_PACKAGE_PATH", (folder_ / entry).c_str(), 1);
+    EXPECT_TRUE(finds(named, source, urdf)) << entry;
+  }
+  ::unsetenv("ROS_PACKAGE_PATH");
+}
+
 TEST_F(MeshPath, StaysInTheRobotsFolder) {
   for (const std::string named :
        {"../../other/meshes/link.stl", "package://other/meshes/link.stl",

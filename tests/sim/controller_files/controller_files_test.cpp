@@ -4,13 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <set>
 #include <string>
 
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/controller_files/changed_gains.hpp"
-#include "sim/controller_files/joint_trajectory_file.hpp"
+#include "sim/controller_files/controller_gains.hpp"
 #include "tests/sim/support/controller_styles.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/without_numbers.hpp"
@@ -27,26 +26,27 @@ using test::Style;
 class ControllerFiles : public testing::TestWithParam<Style> {};
 
 TEST_P(ControllerFiles, AreReadAndGetNothingButOtherNumbers) {
-  const std::string text = GetParam().text;
+  const Style& style = GetParam();
+  const std::string text = style.text;
   const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
-  EXPECT_EQ(controller.name, GetParam().controller);
-  Gains gains = joint_trajectory_gains(controller, "f.yaml", kStyleJoints);
+  EXPECT_EQ(controller.name, style.controller);
+  Gains gains = controller_gains(controller, "f.yaml", kStyleJoints);
   validate(gains, kStyleJoints, "f.yaml");
-  EXPECT_EQ(own(gains, "jtc_p"), Vec3(600.0, 500.0, 250.0));
-  EXPECT_EQ(own(gains, "jtc_d"), Vec3(30.0, 20.0, 10.0));
+  EXPECT_EQ(own(gains, style.stiffness), Vec3(600.0, style.two_in_one ? 600.0 : 500.0, 250.0));
+  EXPECT_EQ(own(gains, style.damping), Vec3(30.0, style.two_in_one ? 30.0 : 20.0, 10.0));
   EXPECT_EQ(with_gains(text, controller, "f.yaml", gains, kStyleJoints), text) << "nothing differs";
 
-  own(gains, "jtc_p") = Vec3(1.0 / 3.0, 1e-7, 4321.0);
-  own(gains, "jtc_d")[1] = 1e22;
+  own(gains, style.stiffness) = Vec3(1.0 / 3.0, style.two_in_one ? 1.0 / 3.0 : 1e-7, 4321.0);
+  own(gains, style.damping) = Vec3(style.two_in_one ? 1e22 : 31.5, 1e22, 10.0);
   const std::string changed = with_gains(text, controller, "f.yaml", gains, kStyleJoints);
   EXPECT_EQ(test::without_numbers(changed), test::without_numbers(text));
-  EXPECT_EQ(test::keys_of_other_numbers(text, changed), (std::set<std::string>{"d", "p"}));
-  EXPECT_THAT(changed, AllOf(HasSubstr("0.3333333333333333"), HasSubstr("1.0e-07"), HasSubstr("4321.0"),
-                             HasSubstr("1.0e+22")));
+  for (const std::string& key : test::keys_of_other_numbers(text, changed))
+    EXPECT_TRUE(style.keys.contains(key)) << key;
+  EXPECT_THAT(changed, AllOf(HasSubstr("0.3333333333333333"), HasSubstr("4321.0"), HasSubstr("1.0e+22")));
+  EXPECT_THAT(changed, HasSubstr(style.two_in_one ? "*big" : "1.0e-07"));
   const RosController again = chosen_controller(ros_controllers(changed, "f.yaml"), "f.yaml");
-  const Gains back = joint_trajectory_gains(again, "f.yaml", kStyleJoints);
-  ASSERT_EQ(back.own.size(), gains.own.size());
-  for (std::size_t i = 0; i < gains.own.size(); ++i) EXPECT_EQ(back.own[i], gains.own[i]);
+  const Gains back = controller_gains(again, "f.yaml", kStyleJoints);
+  EXPECT_EQ(back.own, gains.own);
 }
 
 INSTANTIATE_TEST_SUITE_P(Styles, ControllerFiles, testing::ValuesIn(test::kStyles),

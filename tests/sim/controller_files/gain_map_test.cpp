@@ -190,6 +190,37 @@ TEST(GainMap, BindsAxesOfTheTaskWithFactors) {
       test::refused_at({.file = HasSubstr("wrong.yaml"), .key = HasSubstr("factor")}));
 }
 
+// As in Franka's example: one number for the three translations.
+TEST(GainMap, BindsSeveralGainsToOneNumber) {
+  const test::TemporaryFolder folder;
+  folder.write("own.yaml", "translational_stiffness: 200.0\nrotational_stiffness: 10.0\nratio: 1.0\n");
+  const auto map = [](const std::string& translations) {
+    return "controller: cartesian_impedance\nfile: own.yaml\nmap:\n  translational_stiffness: " +
+           translations +
+           "\n  rotational_stiffness: {gain: [cartesian_impedance_k/rx, cartesian_impedance_k/ry, "
+           "cartesian_impedance_k/rz], factor: 0.5}\ncartesian_impedance_damping_ratio: 1\n";
+  };
+  const std::string axes = "cartesian_impedance_k/x, cartesian_impedance_k/y, cartesian_impedance_k/z";
+  const ParameterFile file = read_parameter_file(folder.write("map.yaml", map("[" + axes + "]"))).value();
+  Gains gains = controller_gains(file.controller, file.path, kJoints);
+  JointVector& k = own(gains, "cartesian_impedance_k");
+  EXPECT_EQ(k, (JointVector(6) << 200.0, 200.0, 200.0, 5.0, 5.0, 5.0).finished());
+  k = (JointVector(6) << 300.0, 300.0, 300.0, 5.5, 5.5, 5.5).finished();
+  EXPECT_EQ(with_gains(file.text, file.controller, file.path, gains, kJoints),
+            "translational_stiffness: 300.0\nrotational_stiffness: 11.0\nratio: 1.0\n");
+  k[1] = 400.0;
+  EXPECT_THAT([&] { with_gains(file.text, file.controller, file.path, gains, kJoints); },
+              refused_at({.file = EndsWith("own.yaml"), .line = 1}));
+  for (const std::string& wrong : {"[" + axes + ", cartesian_impedance_k/x]", std::string("[]")})
+    EXPECT_THAT(
+        [&] {
+          const auto other = read_parameter_file(folder.write("wrong.yaml", map(wrong))).value();
+          controller_gains(other.controller, other.path, kJoints);
+        },
+        refused_at({.file = testing::AnyOf(EndsWith("wrong.yaml"), EndsWith("own.yaml"))}))
+        << wrong;
+}
+
 // Division and multiplication by a factor round the last digit, which is no loss.
 TEST(GainMap, AFactorThatIsNoPowerOfTwoReadsBack) {
   const test::TemporaryFolder folder;

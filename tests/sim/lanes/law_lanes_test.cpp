@@ -13,52 +13,25 @@
 #include "sim/scenario/perturbation.hpp"
 #include "tests/core/support/allocation_counter.hpp"
 #include "tests/sim/support/lanes.hpp"
+#include "tests/sim/support/law_jobs.hpp"
 
 namespace armtune::internal {
 namespace law_lanes_test {
 
 using test::alone;
 using test::bits;
+using test::expect_different_and_the_same;
 using test::expect_the_same;
+using test::gains_of;
 using test::job_of;
 using test::quick_gains;
 using test::scenario_of;
+using test::with_plan;
 
-/// The bundled gains of the scenario's arm, which move it to its task in 2 s.
-Gains bundled_gains(const Scenario& scenario) {
-  const std::string arm = scenario.robot->n() == 6   ? "published"
-                          : scenario.robot->n() == 7 ? "panda"
-                                                     : "youbot";
-  Gains quick = load_gains(arm, joint_names(*scenario.robot));
-  quick.joint_trajectory_duration = 2.0;
-  return quick;
-}
-
-/// The joint positions with which the tool is on its task.
-JointVector joint_goal(const Scenario& scenario) {
-  return in_si(*scenario.robot, with_goal(bundled_gains(scenario), scenario).joint_space_goal);
-}
-
-/// Gains of a kind of controller, with which a search would begin.
-Gains gains_of(const Scenario& scenario, const char* kind) {
-  return convert_gains(controller_kind(kind), bundled_gains(scenario), *scenario.robot, joint_goal(scenario));
-}
-
-/// The scenario with a planned motion in front of its task, which the controller's model of the arm fits. The
-/// joints move between positions at constant velocities, so that each velocity jumps at the turn.
-Scenario with_plan(Scenario scenario) {
-  const JointVector goal = joint_goal(scenario);
-  const JointVector rest = JointVector::Zero(goal.size());
-  std::vector<MotionPoint<JointVector>> points;
-  for (const double away : {0.2, -0.1, 0.0, 0.0}) {
-    points.push_back({goal + JointVector::Constant(goal.size(), away), rest, rest});
-  }
-  scenario.planned = std::make_shared<const JointSpline>(std::vector<double>{0.0, 0.5, 1.0, 1.5}, points,
-                                                         PointsGive::kPositions);
-  scenario.start_position = points.front().position;
-  scenario.theta = {};
-  scenario.theta.model_scale = 1.0;
-  return scenario;
+/// Multiplies the gains of the control loop. The servo is what a stream of positions can change in its loop.
+void multiply_loop_gains(Gains& gains, double factor) {
+  scale_loop_gains(gains, factor);
+  if (gains.controller == "position_streaming") own(gains, "servo_gain") *= factor;
 }
 
 /// Every law that is written for several arms, on arms of six, seven and five joints, with gaze, obstacles
@@ -74,7 +47,7 @@ TEST_P(LawLanesOf, AreTheRolloutsAlone) {
       scenario.theta = {};
       scenario.theta.model_scale = 1.0;  // most of these laws learn nothing
       Gains gains = gains_of(scenario, GetParam());
-      scale_loop_gains(gains, 1.0 - 0.1 * i);
+      multiply_loop_gains(gains, 1.0 - 0.1 * i);
       jobs.push_back(job_of(scenario, gains));
     }
     SCOPED_TRACE(name);
@@ -90,7 +63,7 @@ TEST_P(LawLanesOf, TheGainsMatter) {
                               scenario.start_position);
   ASSERT_TRUE(lane_law(gains).has_value());
   const LaneJob as_it_is = job_of(scenario, gains);
-  scale_loop_gains(gains, 0.7);
+  multiply_loop_gains(gains, 0.7);
   EXPECT_NE(bits(alone(as_it_is).metrics), bits(alone(job_of(scenario, gains)).metrics));
 }
 
@@ -112,17 +85,8 @@ TEST_P(LawLanesOf, AllocateNothingInAPeriod) {
 INSTANTIATE_TEST_SUITE_P(Laws, LawLanesOf,
                          testing::Values("adaptive", "computed_torque", "joint_pd", "impedance",
                                          "joint_trajectory_controller", "joint_impedance",
-                                         "cartesian_impedance"));
-
-/// Every rollout must differ from every other one, so that each of their settings has an effect.
-void expect_different_and_the_same(const std::vector<LaneJob>& jobs) {
-  std::vector<std::vector<std::uint64_t>> results;
-  for (const LaneJob& job : jobs) results.push_back(bits(alone(job).metrics));
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(results[i], results[j]) << i << ", " << j;
-  }
-  expect_the_same(jobs);
-}
+                                         "cartesian_impedance", "joint_trajectory_controller_velocity",
+                                         "position_streaming"));
 
 // A robot that holds its own weight, so that clamps below the weight do not let the arm fall.
 TEST(LawLanes, AJointTrajectoryControllerClampsEachArmsIntegralAndOutput) {

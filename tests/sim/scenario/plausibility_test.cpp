@@ -44,6 +44,56 @@ TEST(Plausibility, LinksThatAreTooLightAreNamed) {
               ElementsAre(AllOf(HasSubstr("upper_arm_link (0.01 kg)"), HasSubstr("masses"))));
 }
 
+/// The arm with masses and inertias of a few grams, none of them the same.
+RobotModel of_placeholders(RobotModel arm) {
+  for (int i = 0; i < arm.n(); ++i)
+    arm.chain.link[static_cast<std::size_t>(i)] = body(0.009 + 0.001 * i, 0.1);
+  return arm;
+}
+
+// No link is too light for its own joint, and no two are the same.
+TEST(Plausibility, AnArmOfAFewGramsIsNamedAlthoughItsEffortLimitsAreLow) {
+  RobotModel arm = of_placeholders(test::ur10());
+  for (JointInfo& joint : arm.joints) joint.limits.effort = 12.0;
+  const auto named = AllOf(HasSubstr("shoulder_link (0.009 kg)"), HasSubstr("wrist_3_link (0.014 kg)"));
+  EXPECT_THAT(other_doubts(arm), ElementsAre(named));
+  test::fit_rotors(arm);
+  std::vector<std::string> asked;
+  const std::vector<Doubt> found = doubts_with_proposals(arm);
+  for (const ProposedValue& proposed : found.at(0).proposed) {
+    EXPECT_EQ(proposed.key, "inertia");
+    EXPECT_EQ(proposed.value, "") << "only the maker can give it";
+    if (proposed.field == "mass") asked.push_back(proposed.name);
+  }
+  EXPECT_EQ(asked.size(), 6U);
+  // With strong joints, the links are named once and not by two rules.
+  for (JointInfo& joint : arm.joints) joint.limits.effort = 200.0;
+  EXPECT_THAT(other_doubts(arm), ElementsAre(named));
+  // A small arm has a joint that is weak enough for such masses.
+  arm.joints[5].limits.effort = 1.0;
+  arm.joints[0].limits.effort = arm.joints[1].limits.effort = arm.joints[2].limits.effort = 12.0;
+  arm.joints[3].limits.effort = arm.joints[4].limits.effort = 12.0;
+  EXPECT_THAT(other_doubts(arm), IsEmpty());
+}
+
+// A rail that could carry many arms does not make the arm on it doubtful.
+TEST(Plausibility, AnArmOnAStrongRailIsNotDoubted) {
+  RobotModel arm = test::ur10();
+  arm.chain.motion[0] = JointMotion::kPrismatic;
+  arm.joints[0].limits.effort = 1e4;
+  EXPECT_THAT(other_doubts(arm), IsEmpty());
+}
+
+TEST(Plausibility, ArmsOfAFifthOfTheWeightThatTheirJointsHoldAreNotDoubted) {
+  const double weight_and_reach = 9.81 * 6.0 * reach(test::ur10());
+  for (const double share : {0.19, 0.21}) {
+    RobotModel arm = test::ur10();
+    for (int i = 0; i < 6; ++i) arm.chain.link[static_cast<std::size_t>(i)] = body(1.0, 0.1 + 0.01 * i);
+    for (JointInfo& joint : arm.joints) joint.limits.effort = weight_and_reach / share;
+    EXPECT_EQ(other_doubts(arm).empty(), share > 0.2) << share;
+  }
+}
+
 TEST(Plausibility, InertiaThatNoBodyOfTheMassHasIsNamed) {
   RobotModel arm = test::ur10();
   arm.chain.link[2] = body(4.0, 1.2);

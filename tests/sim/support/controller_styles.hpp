@@ -1,6 +1,8 @@
 #pragma once
-// Parameter files in the styles in which people publish them, of a controller with three joints each.
+// Parameter files in the styles in which people publish them, of a controller with three joints each. Unless
+// a style says otherwise, they have the p or stiffness (600, 500, 250), and the d or damping (30, 20, 10).
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,11 +10,16 @@ namespace armtune::internal::test {
 
 inline const std::vector<std::string> kStyleJoints = {"j1", "j2", "j3"};
 
-/// A file with a joint trajectory controller of three joints.
+/// A file with a controller of three joints.
 struct Style {
   const char* name;
   const char* text;
   const char* controller = "arm_controller";
+  const char* stiffness = "jtc_p";  ///< armtune's names of the two gains
+  const char* damping = "jtc_d";
+  bool two_in_one = false;  ///< true: j1 and j2 have the same numbers of the text, 600 and 30
+  /// The keys before numbers of gains; "" before the items of a list but the first.
+  std::set<std::string> keys = {"p", "i", "d"};
 };
 
 inline const Style kStyles[] = {
@@ -66,17 +73,57 @@ inline const Style kStyles[] = {
      "      j2: {p: 500.0, i: 0.0, d: 20.0}\r\n"
      "      j3: {p: 250.0, i: 0.0, d: 10.0}\r\n"},
     {"Wildcard",
-     "/**:\n"
-     "  ros__parameters:\n    use_sim_time: true\n"
      "/**/arm_controller:\n"
      "  ros__parameters:\n"
-     "    joints: [j1, j2, j3]\n"
-     "    command_interfaces: [\"effort\"]\n"
      "    gains:\n"
      "      j3: {p: 250.0, i: 0.0, d: 10.0}\n"
      "      j2: {p: 500.0, i: 0.0, d: 20.0}\n"
-     "      j1: {p: 600.0, i: 0.0, d: 30.0}\n",
-     "/**/arm_controller"},
+     "      j1: {p: 1.0, i: 0.0, d: 30.0}\n"
+     "/**:\n"
+     "  ros__parameters:\n    use_sim_time: true\n"
+     "    command_interfaces: [\"effort\"]\n"
+     "left/arm_controller:\n"
+     "  ros__parameters:\n"
+     "    joints: [j1, j2, j3]\n"
+     "    gains:\n      j1:\n        p: 600.0\n",
+     "left/arm_controller"},
+    {"NamesWithDots",
+     "arm_controller:\n"
+     "  ros__parameters:\n"
+     "    joints: [j1, j2, j3]\n"
+     "    command_interfaces: [effort]\n"
+     "    gains.j1.p: 600.0\n    gains.j1.d: 30.0   # shoulder\n"
+     "    gains.j2: {p: 500.0, d: 20.0}\n"
+     "    gains:\n      j3.p: 250.0\n      j3.d: 10.0\n"},
+    {"VelocityCommands",
+     "controller_manager:\n"
+     "  ros__parameters:\n"
+     "    update_rate: 500\n"
+     "    arm_controller.type: joint_trajectory_controller/JointTrajectoryController\n"
+     "arm_controller:\n"
+     "  ros__parameters:\n"
+     "    joints: [j1, j2, j3]\n"
+     "    command_interfaces: [velocity]\n"
+     "    gains:\n"
+     "      j1: {p: 600.0, i: 0.0, d: 30.0, ff_velocity_scale: 1.0}\n"
+     "      j2: {p: 500.0, i: 0.0, d: 20.0, ff_velocity_scale: 1.0}\n"
+     "      j3: {p: 250.0, i: 0.0, d: 10.0, ff_velocity_scale: 1.0}\n",
+     "arm_controller", "jtc_velocity_p", "jtc_velocity_d"},
+    {"JointImpedance",
+     "controller_manager:\n"
+     "  ros__parameters:\n"
+     "    update_rate: 1000\n"
+     "    impedance:\n      type: franka_example_controllers/JointImpedanceExampleController\n"
+     "impedance:\n"
+     "  ros__parameters:\n"
+     "    arm_id: three\n"
+     "    k_gains:\n      - 600.0\n      - 500.0\n      - 250.0\n"
+     "    d_gains: [30.0, 20.0, 10.0]\n",
+     "impedance",
+     "joint_impedance_k",
+     "joint_impedance_d",
+     false,
+     {"k_gains", "d_gains", ""}},
     {"Namespace",
      "left:\n"
      "  arm_controller:\n"
@@ -95,16 +142,17 @@ inline const Style kStyles[] = {
      "  constraints: {goal_time: &time 0.5, stopped_velocity_tolerance: *time}\n"
      "  other: *joints\n"
      "  gains:\n"
-     "    j1: {p: 600.0, i: 0.0, d: 30.0}\n"
-     "    j2: {p: 500.0, i: 0.0, d: 20.0}\n"
-     "    j3: {p: 250.0, i: 0.0, d: 10.0}\n"},
+     "    j1: &big {p: 600.0, i: 0.0, d: 30.0}\n"
+     "    j2: *big\n"
+     "    j3: {p: 250.0, i: 0.0, d: 10.0}\n",
+     "arm_controller", "jtc_p", "jtc_d", true},
     {"MergeKeys",
-     "defaults: &defaults {i: 0.0, i_clamp: 10.0}\n"
+     "defaults: &defaults {i: 0.0, d: 30.0, i_clamp: 10.0}\n"
      "arm_controller:\n"
      "  type: effort_controllers/JointTrajectoryController\n"
      "  joints: [j1, j2, j3]\n"
      "  gains:\n"
-     "    j1: {<<: *defaults, p: 600.0, d: 30.0}\n"
+     "    j1: {<<: *defaults, p: 600.0}\n"
      "    j2:\n      <<: *defaults\n      p: 500.0\n      d: 20.0\n"
      "    j3: {p: 250.0, d: 10.0, <<: *defaults}\n"},
     {"JazzyNames",

@@ -357,14 +357,42 @@ TEST(ControllerStudy, GainsThatAreZeroAreNotTuned) {
   EXPECT_EQ(study.space.start.own[1][3], 0.0);
 }
 
+/// The file of an arm whose second joint has the p of the first through an alias, and one more alias.
+std::string shared_numbers_of_shoulder(const std::string& more) {
+  std::string text = changed("shoulder_pan_joint: {p: 2000.0", "shoulder_pan_joint: {p: &stiff 2000.0");
+  text.replace(text.find("p: 2000.0"), 9, "p: *stiff");
+  return text + more;
+}
+
+// One number of the text gets one value: the study links the gains of both joints.
+TEST(ControllerStudy, LinksGainsThatAreOneNumberOfTheFile) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.controllers = folder.write("shared.yaml", shared_numbers_of_shoulder(""));
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
+  EXPECT_THAT(files.notes, Contains(AllOf(HasSubstr("shared.yaml"), HasSubstr("alias"),
+                                          HasSubstr("p of shoulder_pan_joint, shoulder_lift_joint"))));
+  const Study study = load_study(files.study);
+  EXPECT_EQ(study.space.free.size(), 17U);
+  ASSERT_EQ(study.space.links.size(), 1U);
+  const Link& link = study.space.links.front();
+  EXPECT_EQ(link.entry.name, "jtc_p/shoulder_lift_joint");
+  EXPECT_EQ(study.space.free[link.parameter].entry.name, "jtc_p/shoulder_pan_joint");
+  EXPECT_EQ(link.factor, 1.0);
+  // Any point of the search can be written.
+  const Gains tuned = study.space.gains_at(std::vector<double>(17, 0.7));
+  EXPECT_EQ(own(tuned, "jtc_p")[1], own(tuned, "jtc_p")[0]);
+  std::filesystem::create_directory(folder / "run");
+  EXPECT_EQ(write_controllers(study, tuned, folder / "run"), "shared.yaml");
+  EXPECT_THAT(test::read_text(folder / "run/shared.yaml"), HasSubstr("p: *stiff"));
+}
+
 TEST(ControllerStudy, AFileThatCannotHoldOtherGainsIsRefusedBeforeASearch) {
   const test::TemporaryFolder folder;
   ControllerStudyInputs inputs = example();
-  std::string shared = changed("shoulder_pan_joint: {p: 2000.0", "shoulder_pan_joint: {p: &stiff 2000.0");
-  const auto second = shared.find("p: 2000.0");
-  inputs.controllers = folder.write("shared.yaml", shared.replace(second, 9, "p: *stiff"));
-  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "new"); }),
-              AllOf(HasSubstr("shared.yaml:11"), HasSubstr("through a YAML anchor")));
+  inputs.controllers = folder.write("shared.yaml", shared_numbers_of_shoulder("other: {x: {y: *stiff}}\n"));
+  EXPECT_THAT([&] { write_controller_study(inputs, folder / "new"); },
+              refused_at({.file = inputs.controllers, .line = testing::Gt(0), .key = "arm_controller"}));
 }
 
 TEST(ControllerStudy, ConstrainsWhatTheArmCanTouch) {

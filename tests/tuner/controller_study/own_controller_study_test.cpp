@@ -206,6 +206,35 @@ TEST(OwnControllerStudy, OfCartesianImpedanceFollowsWaypointsOfTheTool) {
               test::refused_at({.file = folder / "own.yaml", .value = "900", .limit = "at most 800"}));
 }
 
+// As in Franka's example: one number for all translations, and one for all rotations.
+TEST(OwnControllerStudy, LinksTheGainsThatAMapBindsToOneNumber) {
+  const test::TemporaryFolder folder;
+  folder.write("own.yaml", "translational_stiffness: 200.0\nrotational_stiffness: 10.0\n");
+  ControllerStudyInputs inputs{"fr3", "", "", {}};
+  inputs.controllers = folder.write(
+      "map.yaml",
+      "controller: cartesian_impedance\nfile: own.yaml\nrate: 1000\ncartesian_impedance_damping_ratio: 1\nmap:\n"
+      "  translational_stiffness: [cartesian_impedance_k/x, cartesian_impedance_k/y, cartesian_impedance_k/z]\n"
+      "  rotational_stiffness: {gain: [cartesian_impedance_k/rx, cartesian_impedance_k/ry, "
+      "cartesian_impedance_k/rz], factor: 2}\n");
+  inputs.trajectories = {folder.write("path.csv", "time,x,y,z\n0,0.5,0,0.4\n2,0.5,0.2,0.4\n")};
+  inputs.max_stiffness = {900.0, 400.0, 900.0, 60.0, 60.0, 60.0};
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made").value();
+  EXPECT_THAT(files.notes, Contains(AllOf(HasSubstr("own.yaml"), HasSubstr("in the map"),
+                                          HasSubstr("cartesian_impedance_k of x, y, z"))));
+  const Study study = load_study(files.study);
+  ASSERT_EQ(study.space.free.size(), 1U) << "no motion turns the tool";
+  EXPECT_EQ(study.space.free[0].entry.name, "cartesian_impedance_k/x");
+  EXPECT_EQ(study.space.free[0].upper, 400.0) << "the least of the bounds";
+  ASSERT_EQ(study.space.links.size(), 2U);
+  EXPECT_EQ(study.space.links[1].entry.name, "cartesian_impedance_k/z");
+  std::filesystem::create_directory(folder / "run");
+  const Gains tuned = study.space.gains_at({1.0});
+  EXPECT_EQ(write_controllers(study, tuned, folder / "run"), "own.yaml");
+  EXPECT_EQ(test::read_text(folder / "run/own.yaml"),
+            "translational_stiffness: 400.0\nrotational_stiffness: 10.0\n");
+}
+
 TEST(OwnControllerStudy, OfAPathWithoutOrientationsLeavesTheGainsOfRotations) {
   const test::TemporaryFolder folder;
   ControllerStudyInputs inputs{"fr3", write_cartesian_map(folder), "", {}};

@@ -88,7 +88,8 @@ TEST_F(Journalled, ReadsBackToTheBit) {
     e.objective = test::awkward(k);
     e.violation = test::awkward(k + 1);
     e.feasible = k == 0;
-    e.status = k == 0 ? "completed" : k == 1 ? test::kAwkwardText : test::kFormula;
+    e.completed = k == 0;
+    e.reason = k == 0 ? "" : k == 1 ? test::kAwkwardText : test::kFormula;
     e.seconds = 0.75 * static_cast<double>(k) + 1e-5;
     for (const Parameter& p : study_.space.free) value(e.gains, p.entry) = test::awkward(k + 2);
     for (std::size_t m = 0; m < kMetricCount; ++m)
@@ -104,7 +105,7 @@ TEST_F(Journalled, ReadsBackToTheBit) {
     read.number(row, "objective", e.objective);
     read.text(row, "feasible", e.feasible ? "1" : "0");
     read.number(row, "violation", e.violation);
-    read.text(row, "status", e.status);
+    read.text(row, "status", e.completed ? "completed" : e.reason);
     for (const Parameter& p : study_.space.free) read.number(row, p.entry.name, value(e.gains, p.entry));
     const auto metrics = [&](const std::string& before, Metric m, const std::vector<std::size_t>& of) {
       for (const std::size_t s : of)

@@ -22,7 +22,7 @@ class EvaluationsReader : public ::testing::Test {
       e.gains = study_.space.gains_at(e.x);
       e.objective = 1.0 + x;
       e.violation = 2.0 * x;
-      e.status = "diverged at 3 s in followTrajectory: a, \"b\"";
+      e.reason = "diverged at 3 s in followTrajectory: a, \"b\"";
       e.results.resize(study_.scenarios.size());
       journal.append("search", e);
     }

@@ -122,6 +122,24 @@ TEST(SteadyStart, LeavesAtZeroWhatTheFileHasAtZeroAndTheStudyDoesNotTune) {
   EXPECT_GT(own(study.space.start, "jtc_i")[2], 0.0);
 }
 
+// The file's clamp stays, so a computed i that needs a larger one would only wind up.
+TEST(SteadyStart, ComputesAnIntegralThatItsClampLetsAct) {
+  const test::TemporaryFolder folder;
+  const std::string path = study_of(folder, "wrist_1_joint: {p: 300.0, d: 10.0, i: 50.0, i_clamp: 20.0",
+                                    "wrist_1_joint: {p: 3000.0, d: 1.0, i: 1.0, i_clamp: 1.0",
+                                    "{name: jtc_p}, {name: jtc_d}, {name: jtc_i}");
+  const Study study = load_steady_study(path, "", 2);
+  ASSERT_TRUE(study.given);
+  const Gains& start = study.space.start;
+  EXPECT_EQ(own(start, "jtc_i_clamp")[3], 1.0);
+  const JointVector effort = study.scenarios.front().robot->effort_limits();
+  for (int k = 0; k < 6; ++k) {
+    const double after_a_second = own(start, "jtc_i")[k] * effort[k] / own(start, "jtc_p")[k];
+    EXPECT_GT(own(start, "jtc_i")[k], 0.0) << k;
+    EXPECT_LE(after_a_second, own(start, "jtc_i_clamp")[k] * (1.0 + 1e-12)) << k;
+  }
+}
+
 // A stiffness that the damping cannot hold in a sampled loop of period T: P T > 2 D.
 TEST(SteadyStart, TakesThePlaceOfAnUnstableJointPd) {
   const test::TemporaryFolder folder;

@@ -33,10 +33,31 @@ TEST(TorqueMoments, GiveTheRmsOfTheRowsThemselves) {
   EXPECT_TRUE(moments.residual_rms(theta).isApprox(residual.cwiseSqrt(), 1e-12));
 }
 
+/// An offset of the torque changes its RMS, but not the share of its variance that is explained.
+TEST(TorqueMoments, GiveTheShareOfTheVarianceThatIsExplained) {
+  constexpr int kInstants = 40;
+  std::srand(2);
+  const Eigen::MatrixXd all = Eigen::MatrixXd::Random(kInstants, 2);
+  const Eigen::VectorXd theta = Eigen::VectorXd::Constant(1, 0.7);
+  const auto variance = [](const Eigen::VectorXd& x) { return (x.array() - x.mean()).square().mean(); };
+  const double expected = 1.0 - variance(all.col(1) - theta[0] * all.col(0)) / variance(all.col(1));
+  for (const double offset : {0.0, 5.0}) {
+    TorqueMoments moments(2, 1);
+    for (int i = 0; i < kInstants; ++i) {
+      Eigen::MatrixXd rows(2, 2);
+      rows << all(i, 0), all(i, 1) + offset, all(i, 0), 3.0;
+      moments.add(rows);
+    }
+    EXPECT_NEAR(moments.explained(theta)[0], expected, 1e-9);
+    EXPECT_EQ(moments.explained(theta)[1], 0.0) << "a constant torque has no variance";
+  }
+}
+
 TEST(TorqueMoments, AreZeroWithoutRows) {
   const TorqueMoments none(2, 3);
   EXPECT_EQ(none.torque_rms(), Eigen::VectorXd::Zero(2));
   EXPECT_EQ(none.predicted_rms(Eigen::VectorXd::Ones(3)), Eigen::VectorXd::Zero(2));
+  EXPECT_EQ(none.explained(Eigen::VectorXd::Ones(3)), Eigen::VectorXd::Zero(2));
 }
 
 }  // namespace torque_moments_test

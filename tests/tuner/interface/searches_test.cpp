@@ -338,7 +338,7 @@ TEST(InterfaceOfMargins, EveryMarginOfEveryScenario) {
   MarginsOptions options;
   options.engine = Engine::kNative;
   options.workers = 2;
-  const std::vector<Margin> found = margins({scenario}, quick(scenario), options);
+  const std::vector<Margin> found = margins({scenario}, quick(scenario), options).margins;
   std::vector<std::string> kinds;
   for (const Margin& margin : found) {
     kinds.push_back(margin.kind);

@@ -8,6 +8,7 @@
 #include "armtune/error.hpp"
 #include "armtune/rollout.hpp"
 #include "sim/rollout/rollout.hpp"
+#include "tests/core/support/refused_at.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune {
@@ -39,7 +40,7 @@ TEST(InterfaceOfSimulate, GivesTheRolloutsOfBothEngines) {
                                        std::pair(Engine::kNative, internal::Engine::kNative)}) {
     SimulateOptions options;
     options.engine = engine;
-    const auto rollouts = simulate({scenario}, gains, options);
+    const auto rollouts = simulate({scenario}, gains, options).rollouts;
     ASSERT_EQ(rollouts.size(), 1U);
     expect_equal(
         rollouts[0],
@@ -49,7 +50,7 @@ TEST(InterfaceOfSimulate, GivesTheRolloutsOfBothEngines) {
 
 TEST(InterfaceOfSimulate, ColumnsAreTheRowsOfValues) {
   const Scenario scenario = short_scenario();
-  const Rollout rollout = simulate({scenario}, quick(scenario)).front();
+  const Rollout rollout = simulate({scenario}, quick(scenario)).rollouts.front();
   ASSERT_GT(rollout.rows(), 100U);
   ASSERT_EQ(rollout.values().size(), rollout.rows() * rollout.columns().size());
   EXPECT_EQ(rollout.columns().front(), "time");
@@ -60,11 +61,13 @@ TEST(InterfaceOfSimulate, ColumnsAreTheRowsOfValues) {
       EXPECT_NEAR(time[row] - time[row - 1], 5 * scenario.control_period(), 1e-9);
     }
   }
-  EXPECT_THROW(rollout.column("tide"), InputError);
-  EXPECT_THROW(rollout.metric("error/tide"), InputError);
+  EXPECT_THAT([&] { (void)rollout.column("tide"); },
+              internal::test::refused_at({.key = "column", .value = "tide"}));
+  EXPECT_THAT([&] { (void)rollout.metric("error/tide"); },
+              internal::test::refused_at({.key = "metric", .value = "error/tide"}));
   SimulateOptions unrecorded;
   unrecorded.record_every = 0;
-  EXPECT_EQ(simulate({scenario}, quick(scenario), unrecorded).front().rows(), 0U);
+  EXPECT_EQ(simulate({scenario}, quick(scenario), unrecorded).rollouts.front().rows(), 0U);
 }
 
 TEST(InterfaceOfSimulate, SeveralSetsAreEachAlone) {
@@ -82,7 +85,7 @@ TEST(InterfaceOfSimulate, SeveralSetsAreEachAlone) {
     ASSERT_EQ(together.size(), sets.size());
     for (std::size_t i = 0; i < sets.size(); ++i) {
       ASSERT_EQ(together[i].size(), 2U);
-      const auto alone = simulate({scenario, other}, sets[i], options);
+      const auto alone = simulate({scenario, other}, sets[i], options).rollouts;
       EXPECT_EQ(errors_csv(together[i]), errors_csv(alone)) << i;
     }
     EXPECT_NE(errors_csv(together[0]), errors_csv(together[1])) << "the gain matters";
@@ -94,7 +97,7 @@ TEST(InterfaceOfSimulate, BrokenLimitsAreToldWhereSomebodyLooked) {
   const Gains gains = Gains::load("published", scenario.robot());
   SimulateOptions options;
   options.engine = Engine::kNative;
-  const auto alone = simulate({scenario}, gains, options).front().broken_limits();
+  const auto alone = simulate({scenario}, gains, options).rollouts.front().broken_limits();
   ASSERT_TRUE(alone.has_value());
   EXPECT_THAT(*alone, testing::Contains(testing::HasSubstr("elbow_joint")))
       << "the published gains saturate the elbow";
@@ -121,7 +124,9 @@ TEST(InterfaceOfSimulate, TellsProgressAndStops) {
   EXPECT_THAT(done, testing::ElementsAre(1, 2, 3));
   const std::atomic<bool> stopped{true};
   options.watch.stop = &stopped;
-  EXPECT_EQ(simulate({scenario}, quick(scenario), options).front().status(), "interrupted");
+  const Simulated cut = simulate({scenario}, quick(scenario), options);
+  EXPECT_EQ(cut.rollouts.front().status(), "interrupted");
+  EXPECT_TRUE(cut.interrupted && cut.verdict.checks.empty()) << "an unfinished rollout has passed nothing";
   EXPECT_TRUE(simulate_sets({scenario}, {quick(scenario)}, options).front().empty());
 }
 

@@ -114,6 +114,22 @@ TEST(FollowPlanScenario, IsTheTasksOwnWithThePlanInFrontAndAControllerThatKnowsT
   EXPECT_EQ(s.path.at(11.0).position, base.path.at(11.0).position);
   EXPECT_EQ(s.theta.model_scale, 1.0);
   EXPECT_FALSE(s.has_task());
+  ASSERT_FALSE(base.clearance);
+  ASSERT_TRUE(s.clearance) << "the base has no cell, but shapes of the arm are known";
+  EXPECT_TRUE(s.clearance->has(Clearance::kSelf));
+}
+
+TEST(FollowPlanScenario, KeepsTheCellOfTheTasksOwn) {
+  PlanTask task = load_plan_task("ur10_return");
+  Cell cell;
+  cell.floor = -1.0;
+  task.scenario.clearance = std::make_shared<const ClearanceModel>(task.scenario.robot, cell);
+  EXPECT_THAT(planned_scenario_yaml(task), testing::Not(testing::HasSubstr("cell")));
+  RobotModel bare = task.scenario.clearance->robot();
+  bare.shapes.clear();
+  task.scenario.robot = std::make_shared<const RobotModel>(bare);
+  task.scenario.clearance = nullptr;
+  EXPECT_THAT(planned_scenario_yaml(task), testing::Not(testing::HasSubstr("cell"))) << "nothing to check";
 }
 
 }  // namespace follow_plan_test

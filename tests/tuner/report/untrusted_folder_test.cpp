@@ -9,6 +9,7 @@
 #include "tests/tuner/report/support/written_run.hpp"
 #include "tuner/journal/journal.hpp"
 #include "tuner/report/run_report.hpp"
+#include "tuner/run/run_record.hpp"
 
 namespace armtune::internal::report {
 namespace untrusted_folder_test {
@@ -42,7 +43,6 @@ const std::vector<Kind> kKinds = {{"scene.json", {}},
                                   {"yardstick.csv", {}},
                                   {"pareto.csv", {}},
                                   {"samples.csv", {}},
-                                  {"comparison.csv", {"scene.json"}},
                                   {"motion.csv", {"errors.csv"}},
                                   {"limits.csv", {"errors.csv"}}};
 
@@ -133,7 +133,10 @@ TEST_F(UntrustedName, OfAScenarioInErrorsLeadsNowhere) {
 TEST_F(UntrustedName, OfASetInAComparisonLeadsNowhere) {
   fs::remove(files_ / "run/scene.json");
   fs::create_directories(files_ / "run/rollouts_");
-  files_.write("run/comparison.csv", "scenario,metric,unit,/../../outside/secret\n");
+  RunRecord run;
+  run.kind = RunKind::kCompare;
+  run.compare = {{name_}};
+  files_.write("run/run.json", run_record_json(run));
   fs::rename(files_ / "run/errors.csv", files_ / "run/errors_.csv");
   const ReportData data = report_of(files_ / "run");
   EXPECT_TRUE(data.tables.empty());

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/common/input_file.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/run/support/records.hpp"
 #include "tuner/run/append_file.hpp"
@@ -72,6 +73,7 @@ TEST(RunInputs, TellsOfAndKeepsTheBytesThatWereReadWhateverBecameOfTheFiles) {
   const std::vector<std::string> files = {folder.write("a/x.yaml", "first\n"),
                                           folder.write("b/x.yaml", "second"), folder.write(odd, "third\r\n")};
   const std::string log = folder.write("log.csv", "not kept\n");
+  const std::string bundled = data_folder() + "/scenarios/moving_target.yaml";
   const std::vector<std::string> texts = {"first\n", "second", "third\r\n"};
   std::vector<std::string> hashes;
   for (const std::string& file : files) hashes.push_back(hash_of_file(file));
@@ -80,10 +82,11 @@ TEST(RunInputs, TellsOfAndKeepsTheBytesThatWereReadWhateverBecameOfTheFiles) {
   for (const std::string& file : files) (void)read_input_file(file, 1000, "a text");
   for (const std::string& file : files) std::ofstream(file) << "edited";
   fs::remove(files[1]);
-  write_run_record(folder / "run", {}, {{files[2], files[0], files[1], files[0], log}});
+  write_run_record(folder / "run", {}, {{files[2], files[0], files[1], files[0], log, bundled}});
 
   const RunRecord run = find_run_record(folder / "run").value();
-  EXPECT_EQ(run.inputs.size(), files.size() + 1) << "each once";
+  EXPECT_EQ(run.inputs.size(), files.size() + 2) << "each once";
+  for (const InputFact& input : run.inputs) EXPECT_EQ(input.bundled, input.path == shown_path(bundled));
   for (std::size_t i = 0; i < files.size(); ++i) {
     const InputFact input = test::input_in(run, files[i]);
     EXPECT_EQ(input.hash, hashes[i]);

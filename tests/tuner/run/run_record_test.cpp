@@ -41,6 +41,7 @@ TEST(RunRecord, WithoutAnyOptionalMemberItReadsBackAsItWas) {
   EXPECT_EQ(read_back({}), RunRecord());
   RunRecord parts;  // each part with its own defaults
   parts.simulation.emplace();
+  parts.compare.emplace();
   parts.search.emplace();
   parts.tuned.emplace();
   parts.front.emplace();
@@ -60,6 +61,7 @@ TEST(RunRecord, EachOptionalPartMayBeTheOnlyOneThatIsMissing) {
     EXPECT_EQ(read_back(run), run);
   };
   without(&RunRecord::simulation);
+  without(&RunRecord::compare);
   without(&RunRecord::search);
   without(&RunRecord::tuned);
   without(&RunRecord::front);

@@ -198,8 +198,9 @@ TEST(Tune, EndsHopelessRolloutsEarlyAndStillSeesTheBestOneWhole) {
       if (r.status != RolloutStatus::kHopeless) continue;
       ++hopeless;
       EXPECT_FALSE(e.feasible);
-      EXPECT_THAT(e.status, testing::HasSubstr("abandoned"));
-      EXPECT_THAT(one.journal, testing::HasSubstr(e.status));
+      EXPECT_FALSE(e.completed);
+      EXPECT_THAT(e.reason, testing::HasSubstr("abandoned"));
+      EXPECT_THAT(one.journal, testing::HasSubstr(e.reason));
       EXPECT_LT(r.end_time, study.scenarios[0].duration);
       // Simulated whole it breaks the limit all the same.
       Rollout again(study.scenarios[static_cast<std::size_t>(&r - e.results.data())], study.stepper);

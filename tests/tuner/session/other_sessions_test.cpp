@@ -7,6 +7,7 @@
 
 #include "core/common/input_file.hpp"
 #include "tests/tuner/support/short_study.hpp"
+#include "tuner/run/run_record.hpp"
 #include "tuner/session/compare_session.hpp"
 #include "tuner/session/front_session.hpp"
 #include "tuner/session/monte_carlo_session.hpp"
@@ -169,6 +170,14 @@ TEST(CompareSession, IsWholeOrNothing) {
   ASSERT_EQ(whole.sets.size(), 2U);
   EXPECT_EQ(errors_csv(whole.sets[0].results), errors_csv(whole.sets[1].results));
   expect_files(settings.folder, whole.files);
+  const RunRecord record = find_run_record(settings.folder).value();
+  EXPECT_EQ(record.compare->sets, (std::vector<std::string>{"one", "other"}));
+  const auto shown = report::usual_sets(RunKind::kCompare, settings.folder);
+  ASSERT_EQ(shown.size(), 2U);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    EXPECT_EQ(shown[i].name, record.compare->sets[i]);
+    EXPECT_TRUE(fs::exists(fs::path(settings.folder) / shown[i].errors)) << shown[i].errors;
+  }
 
   const std::atomic<bool> stop{true};
   settings.folder = files / "nothing";

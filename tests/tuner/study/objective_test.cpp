@@ -22,7 +22,8 @@ TEST_F(ObjectiveOfTwoScenarios, TheStartScoresExactlyOne) {
   EXPECT_EQ(e.objective, 1.0);
   EXPECT_EQ(e.violation, 0.0);
   EXPECT_TRUE(e.feasible);
-  EXPECT_EQ(e.status, "completed");
+  EXPECT_TRUE(e.completed);
+  EXPECT_EQ(e.reason, "");
 }
 
 TEST_F(ObjectiveOfTwoScenarios, IsTheWeightedMeanOfRatiosAgainstTheStart) {
@@ -66,7 +67,8 @@ TEST_F(ObjectiveOfTwoScenarios, WhatDivergesIsInfeasibleAndWorseTheEarlierItEnds
   for (const double end : {0.01, 1.0, 5.0, 9.99}) {
     const Evaluation e = judged({start_[0], diverged(end)});
     EXPECT_FALSE(e.feasible);
-    EXPECT_EQ(e.status, "diverged early");
+    EXPECT_FALSE(e.completed);
+    EXPECT_EQ(e.reason, "diverged early");
     ASSERT_TRUE(std::isfinite(e.objective));
     ASSERT_TRUE(std::isfinite(e.violation));
     for (const double g : e.constraints) EXPECT_TRUE(std::isfinite(g));
@@ -93,7 +95,7 @@ TEST_F(ObjectiveOfTwoScenarios, WhatIsHopelessIsWorseTheEarlierItEnded) {
   for (const double end : {0.0, 0.002, 1.0, 5.0, 9.998}) {
     const Evaluation e = judged({start_[0], hopeless(end, 2.0)});
     EXPECT_FALSE(e.feasible);
-    EXPECT_EQ(e.status, "beyond repair");
+    EXPECT_EQ(e.reason, "beyond repair");
     EXPECT_LT(e.objective, objective) << end;
     EXPECT_LT(e.violation, violation) << end;
     EXPECT_LT(e.relative.back(), 2.0) << "no more than one that diverged at once";
@@ -149,6 +151,16 @@ TEST_F(ObjectiveOfTwoScenarios, MoreDivergedScenariosAreWorse) {
   EXPECT_GT(judged({diverged(5.0), diverged(5.0)}).objective, judged({start_[0], diverged(5.0)}).objective);
 }
 
+TEST_F(ObjectiveOfTwoScenarios, TheFirstFailureGivesTheReasonWhateverItsWords) {
+  RolloutResult first = diverged(5.0);
+  first.reason = "completed";
+  for (const auto& results : {std::vector{first, diverged(5.0)}, std::vector{start_[0], first}}) {
+    const Evaluation e = judged(results);
+    EXPECT_FALSE(e.completed);
+    EXPECT_EQ(e.reason, "completed");
+  }
+}
+
 TEST_F(ObjectiveOfTwoScenarios, WithoutSamplesACandidateIsInfeasibleWithFiniteScores) {
   RolloutResult blank = completed(NAN, NAN, 0.5, 0.3);
   blank.status = RolloutStatus::kNoSamples;
@@ -157,7 +169,8 @@ TEST_F(ObjectiveOfTwoScenarios, WithoutSamplesACandidateIsInfeasibleWithFiniteSc
   EXPECT_FALSE(e.feasible);
   EXPECT_TRUE(std::isfinite(e.objective));
   EXPECT_GT(e.objective, 1.0);
-  EXPECT_EQ(e.status, "no period counted");
+  EXPECT_FALSE(e.completed);
+  EXPECT_EQ(e.reason, "no period counted");
 }
 
 TEST_F(ObjectiveOfTwoScenarios, ABetterValueOfAnyMetricIsABetterCandidate) {

@@ -131,6 +131,29 @@ TEST(StudyFile, AParameterThatStartsAtZeroNeedsBoundsOfItsOwn) {
   EXPECT_EQ(load_study(bounded.path()).space.free[0].start, 0.0);
 }
 
+// The study names a gain that its gains file sets to zero, as the bundled gains do.
+TEST(StudyFile, AGainThatIsZeroInTheGainsFileNeedsBoundsOfItsOwn) {
+  const InputError error =
+      refusal("parameters:\n  - {name: " + kRx + "}\n  - {name: joint_centering_gain}\n");
+  EXPECT_THAT(error, refused_at({.key = "joint_centering_gain", .value = "0"}));
+  for (const char* way_out : {"'lower'", "'upper'", "remove"}) EXPECT_THAT(error.what(), HasSubstr(way_out));
+}
+
+TEST(StudyFile, EqualBoundsAreRefusedWithTheKeyThatFixesAValue) {
+  for (const std::string start : {"", ", start: 4"}) {
+    const InputError error =
+        refusal("parameters:\n  - {name: " + kRx + ", lower: 4, upper: 4" + start + "}\n");
+    EXPECT_THAT(error, refused_at({.key = kRx, .value = "4"}));
+    EXPECT_THAT(error.what(), HasSubstr("'fixed: 4'"));
+  }
+  // What the error advises is accepted.
+  const ShortStudy fixed("parameters:\n  - {name: " + kRx +
+                         ", fixed: 4}\n  - {name: slerpDurationErrorGain}\n");
+  const Study study = load_study(fixed.path());
+  EXPECT_EQ(study.space.start.task_space_gains_p[3], 4.0);
+  EXPECT_EQ(study.space.free.size(), 1U);
+}
+
 TEST(StudyFile, UnknownControllersAndGainsOfOthersAreRefused) {
   EXPECT_THAT(refusal("controller: impedance\n" + test::kShortParameters),
               refused_at({.line = 6, .key = "parameters/0/name", .value = kRx}));

@@ -29,9 +29,11 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
     add_assumptions({scenario}, stepper, verdict);
     return to_text(verdict);
   };
+  RobotModel robot = *scenario.robot;
+  robot.rotor_source = RotorSource::kGiven;
+  scenario.robot = std::make_shared<const RobotModel>(robot);
   EXPECT_THAT(assumed(),
               AllOf(HasSubstr("the rotor inertia that ur10's robot file gives"), Not(HasSubstr("stops"))));
-  RobotModel robot = *scenario.robot;
   robot.estimated_rotors = joint_names(robot);
   scenario.robot = std::make_shared<const RobotModel>(robot);
   EXPECT_THAT(assumed(), HasSubstr("the rotor inertia of all joints of ur10 is an estimate"));
@@ -60,6 +62,49 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
   scenario.plant.coulomb_friction[4] = 1.01 * bound;
   EXPECT_THAT(assumed(), HasSubstr("friction stops wrist_2_joint within 0.002 s"));
   EXPECT_THAT(assumed(Stepper::kReference), Not(HasSubstr("friction stops")));
+}
+
+TEST(Assumptions, SayWhereTheRotorInertiaComesFromAndHowFarAnAssumedOneIsFromTheEstimate) {
+  Scenario scenario = test::scenario_of("fixed_target");
+  RobotModel robot = *scenario.robot;
+  estimate_rotors(robot);
+  const auto assumed = [&](RotorSource source) {
+    robot.rotor_source = source;
+    scenario.robot = std::make_shared<const RobotModel>(robot);
+    SimulationVerdict verdict;
+    add_assumptions({scenario}, Stepper::kMidpoint, verdict);
+    return verdict.assumes;
+  };
+  RobotModel ruled = robot;
+  ruled.chain.rotor_inertia.setZero();
+  estimate_rotors(ruled);
+  robot.chain.rotor_inertia = 0.5 * ruled.chain.rotor_inertia;
+  robot.chain.rotor_inertia[0] = 0.125 * ruled.chain.rotor_inertia[0];
+  EXPECT_THAT(assumed(RotorSource::kAssumed),
+              Contains(AllOf(HasSubstr("nobody measured it"), HasSubstr("2 to 8 times as much"))));
+  robot.chain.rotor_inertia[5] = 0.0;
+  EXPECT_THAT(assumed(RotorSource::kAssumed),
+              Contains(AllOf(HasSubstr("no rotor inertia for wrist_3_joint"), HasSubstr("2 to 8 times"))));
+  robot.chain.rotor_inertia[5] = 0.1;
+  for (const RotorSource source : {RotorSource::kMeasured, RotorSource::kPublished})
+    EXPECT_THAT(assumed(source), AllOf(Contains(HasSubstr(name(source) + std::string(" rotor inertia"))),
+                                       Not(Contains(HasSubstr("nobody")))));
+}
+
+TEST(Assumptions, NameTheLinksWithDrawnShapesOnly) {
+  Scenario scenario = test::scenario_of("fixed_target");
+  const auto assumed = [&](const char* name) {
+    scenario.robot = load_robot(name);
+    scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, Cell{});
+    SimulationVerdict verdict;
+    add_assumptions({scenario}, Stepper::kMidpoint, verdict);
+    return verdict.assumes;
+  };
+  scenario.start_position = JointVector::Zero(5);
+  EXPECT_THAT(assumed("youbot"),
+              Contains(AllOf(HasSubstr("drawn shapes"), HasSubstr("arm_link_1"), HasSubstr("youbot"))));
+  scenario.start_position = JointVector::Zero(6);
+  EXPECT_THAT(assumed("ur10"), Not(Contains(HasSubstr("drawn shapes"))));
 }
 
 TEST(Assumptions, SayWhatOfTheArmMeetsAnObstacle) {

@@ -81,6 +81,24 @@ TEST(RolloutChecks, ContactBetweenControlPeriodsIsNotChecked) {
                                             HasSubstr(fmt::format("up to {:.2g} mm closer", unseen)))));
 }
 
+TEST(RolloutChecks, SayHowToCheckTheArmAgainstItselfIfItHasShapes) {
+  Scenario scenario = load_scenario("moving_target");
+  ASSERT_FALSE(scenario.clearance);
+  const auto not_checked = [&] {
+    SimulationVerdict verdict;
+    add_unchecked_contacts({scenario}, verdict);
+    return verdict.not_checked;
+  };
+  const auto says_how = Contains(AllOf(HasSubstr("self-collision"), HasSubstr("cell: {}")));
+  EXPECT_THAT(not_checked(), says_how);
+  RobotModel bare = *scenario.robot;
+  bare.shapes.clear();
+  scenario.robot = std::make_shared<const RobotModel>(bare);
+  EXPECT_THAT(not_checked(), AllOf(Contains(HasSubstr("self-collision")), Not(says_how)));
+  scenario.clearance = std::make_shared<const ClearanceModel>(load_robot("ur10"), Cell{});
+  EXPECT_THAT(not_checked(), Not(Contains(HasSubstr("self-collision"))));
+}
+
 TEST(RolloutChecks, LookAtAccelerationsOnlyIfTheArmLimitsThem) {
   ScenarioResult result = result_of("a", {{JointLimit::kAcceleration, "elbow", 7.0, -9.0, -8.0}});
   result.result.metrics[Metric::kJointAccelerationMaxRatio] = 1.125;

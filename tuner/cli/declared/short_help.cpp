@@ -106,6 +106,16 @@ class HelpFormatter final : public CLI::Formatter {
            groups_text(*app, *help, mode == CLI::AppFormatMode::All) + "\n" + make_footer(app);
   }
 
+  /// Returns the command's footer, and behind it the program's, which gives the exit codes. CLI11 drops that
+  /// where a command has a text of its own. Some footers read files, so none is asked for before it is shown.
+  std::string make_footer(const CLI::App* app) const override {
+    const CLI::App* program = app;
+    while (program->get_parent() != nullptr) program = program->get_parent();
+    const std::string codes = program->get_footer();
+    const std::string text = app->get_footer();
+    return (text.ends_with(codes) ? text : text + "\n\n" + codes) + "\n";
+  }
+
   /// Returns the name without the suffix that CLI11 adds to flags that set false, as in "--robust{false}".
   std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
     const std::string name = CLI::Formatter::make_option_name(option, is_positional);

@@ -5,6 +5,7 @@
 #include "tuner/interface/observing.hpp"
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_sample.hpp"
+#include "tuner/planning/session/motion_planner.hpp"
 #include "tuner/planning/session/plan_session.hpp"
 #include "tuner/record/words.hpp"
 
@@ -70,6 +71,10 @@ Plan plan(const std::string& task, const PlanOptions& options) {
                            use.share > 0.0});
   }
   return plan;
+}
+
+std::shared_ptr<const internal::MotionPlanner> motion_planner() {
+  return std::make_shared<const internal::MotionPlanner>(internal::motion_planner());
 }
 
 }  // namespace armtune

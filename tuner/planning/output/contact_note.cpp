@@ -24,6 +24,10 @@ std::string contact_note(const PlanTask& task) {
                        task.clearance, fmt::join(kept, ", "), task.scenario.name);
   text += self ? "At the knots of the motion, links do not touch each other."
                : "The plan ignores contact between links.";
+  const auto drawn = clearance ? drawn_links(clearance->arm()) : std::vector<std::string>{};
+  if (!drawn.empty())
+    text += fmt::format(" The distances rest on the drawn shapes of {}, which have no collision shapes.",
+                        fmt::join(drawn, ", "));
   if (clearance && !clearance->arm().unknown.empty())
     text += fmt::format(" Not checked, because their shapes are not known: {}.",
                         fmt::join(clearance->arm().unknown, ", "));

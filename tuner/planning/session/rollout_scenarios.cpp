@@ -20,7 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::string_view kBegin = "rollout_";
 constexpr std::string_view kEnd = ".csv";
-constexpr std::string_view kBundled = "bundled ";  // prefix of shown_path for bundled files
 
 bool exists(const std::string& path) {
   std::error_code ignored;
@@ -69,7 +68,7 @@ Scenario found_scenario(const std::string& name, const std::string& rollout, con
   std::string told = "is not bundled, and the run's record names no file for it";
   for (const InputFact& input : inputs) {
     const std::string& shown = input.path;
-    if (stem(shown) != name || shown.starts_with(kBundled) || !shown.ends_with(".yaml")) continue;
+    if (stem(shown) != name || input.bundled || !shown.ends_with(".yaml")) continue;
     if (exists(shown)) return load_scenario(shown);
     told = fmt::format("was read from {}, which no longer exists", shown);
   }

@@ -95,6 +95,25 @@ TEST(JointTrajectoryLaw, ChoosesTheAntiWindupByItsNumber) {
 }
 
 // A robot that holds its own weight adds g(q), here by the recursion that the arm's dynamics use.
+// At the error at which p alone gives the largest torque, an integral that a clamp bounds reaches it in the
+// same time as an unbounded one reaches the largest torque.
+TEST(JointTrajectoryLaw, AnIntegralIsReducedToWhatItsClampLetsItGive) {
+  const RobotModel arm = test::ur10();
+  const JointVector effort = arm.effort_limits();
+  Gains gains;
+  change_controller(gains, kJointTrajectoryController, 6);
+  JointVector &p = jtc_gain(gains, "p"), &i = jtc_gain(gains, "i");
+  p << 4000.0, 3000.0, 2000.0, 500.0, 400.0, 0.0;
+  i = 2.0 * p;
+  jtc_gain(gains, "i_clamp") << 1.0, 0.5 * effort[1], 1e6, 0.0, 3.0, 1.0;
+  jtc_gain(gains, "i_clamp_min")[4] = 2.0;
+  JointVector reached(6);
+  reached << 1.0, 0.5 * effort[1], effort[2], 0.0, 2.0, 0.0;
+  fit_integral_to_clamp(arm, gains);
+  for (int k = 0; k < 5; ++k) EXPECT_NEAR(i[k] * effort[k] / p[k] / 2.0, reached[k], 1e-12 * effort[k]) << k;
+  EXPECT_EQ(i[5], 0.0);
+}
+
 TEST(JointTrajectoryLaw, OfARobotThatCompensatesGravityHasTheWeightOnTop) {
   for (RobotModel model : test::all_arms()) {
     Period alone(model, "joint_trajectory_controller", 92);

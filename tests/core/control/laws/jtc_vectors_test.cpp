@@ -14,6 +14,7 @@
 
 #include "core/control/laws/controller.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/control/laws/ros_distro.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/one_joint.hpp"
@@ -30,6 +31,7 @@ struct Case {
   double period = 0.0;
   double p = 0.0, i = 0.0, d = 0.0, i_clamp = 0.0, u_max = 0.0, u_min = 0.0, ff = 0.0;
   std::string distro = "jazzy";
+  bool velocity = false;     ///< the command is a velocity, not an effort
   double i_clamp_min = 0.0;  ///< 0: -i_clamp
   double wraparound = 0.0;
   std::string strategy;
@@ -62,6 +64,11 @@ void read_line(const std::string& word, std::istringstream& words, Case& c) {
     c.deadband = number(words);
   }
   if (word == "distro") words >> c.distro;
+  if (word == "interface") {
+    std::string interface;
+    words >> interface;
+    c.velocity = interface == "velocity";
+  }
   if (word == "i_clamp_min") c.i_clamp_min = number(words);
   if (word == "wraparound") c.wraparound = number(words);
   if (word == "continuous") words >> c.continuous;
@@ -113,22 +120,31 @@ Gains gains_of(const Case& c) {
                                                             {"none", 2.0},
                                                             {"conditional_integration", 3.0},
                                                             {"back_calculation", 4.0}};
-  Gains gains = test::one_joint_gains("joint_trajectory_controller");
-  const auto set = [&gains](const char* name, double value) { own(gains, name)[0] = value; };
-  set("jtc_p", c.p);
-  set("jtc_i", c.i);
-  set("jtc_d", c.d);
-  set("jtc_i_clamp", std::min(c.i_clamp, kNoClamp));
-  set("jtc_u_clamp_max", std::min(c.u_max, kNoClamp));
-  set("jtc_u_clamp_min", std::min(-c.u_min, kNoClamp));
-  set("jtc_ff_velocity_scale", c.ff);
-  set("jtc_antiwindup", kStrategies.at(c.strategy));
-  set("jtc_tracking_time", c.tracking_time);
-  set("jtc_error_deadband", c.deadband);
-  set("jtc_i_clamp_min", -c.i_clamp_min);
-  set("jtc_angle_wraparound", c.wraparound);
-  set("jtc_distro", static_cast<double>(distro_from_name(c.distro).value()));
+  Gains gains =
+      test::one_joint_gains(c.velocity ? kJointTrajectoryVelocityController : kJointTrajectoryController);
+  const auto set = [&gains](const char* name, double value) { jtc_gain(gains, name)[0] = value; };
+  set("p", c.p);
+  set("i", c.i);
+  set("d", c.d);
+  set("i_clamp", std::min(c.i_clamp, kNoClamp));
+  set("u_clamp_max", std::min(c.u_max, kNoClamp));
+  set("u_clamp_min", std::min(-c.u_min, kNoClamp));
+  set("ff_velocity_scale", c.ff);
+  set("antiwindup", kStrategies.at(c.strategy));
+  set("tracking_time", c.tracking_time);
+  set("error_deadband", c.deadband);
+  set("i_clamp_min", -c.i_clamp_min);
+  set("angle_wraparound", c.wraparound);
+  set("distro", static_cast<double>(distro_from_name(c.distro).value()));
   return gains;
+}
+
+/// Makes the torque of the joint's drive the difference between the commanded and the present velocity.
+void show_command(RobotModel& model) {
+  model.chain.gravity.setZero();
+  model.joints[0].limits.velocity = 1e9;
+  model.drive_velocity_gain = one(1.0);
+  model.drive_velocity_integral = one(0.0);
 }
 
 /// The commands of armtune's law at the steps of a case.
@@ -136,6 +152,7 @@ std::vector<double> commands(const Case& c) {
   RobotModel model = test::pendulum();
   model.joints[0].limits.has_position = c.continuous == 0;
   model.joints[0].limits.effort = 1e9;  // the command itself is looked at
+  if (c.velocity) show_command(model);
   const auto arm = std::make_shared<const RobotModel>(model);
   Controller controller(arm, gains_of(c), theta_of(arm->chain), c.period, TaskMask::kPosition);
   const JointSpline plan(c.time, c.points, c.given);
@@ -145,8 +162,10 @@ std::vector<double> commands(const Case& c) {
   scene.plan = &plan;
   scene.holds_plan = true;
   std::vector<double> all;
-  for (const Step& step : c.steps)
-    all.push_back(controller.update({one(step.q), one(step.qd)}, scene, step.time).commanded[0]);
+  for (const Step& step : c.steps) {
+    const double torque = controller.update({one(step.q), one(step.qd)}, scene, step.time).commanded[0];
+    all.push_back(c.velocity ? torque + step.qd : torque);
+  }
   return all;
 }
 
@@ -169,6 +188,10 @@ TEST(JtcVectors, AreThoseOfRosJointTrajectoryController) {
 
 TEST(JtcVectors, OfHumbleAndNoeticAreThoseOfTheirJointTrajectoryControllers) {
   expect_commands(cases("jtc_command_distros.txt"));
+}
+
+TEST(JtcVectors, OfVelocityCommandsAreThoseOfRosJointTrajectoryController) {
+  expect_commands(cases("jtc_velocity_command.txt"));
 }
 
 // The vectors tell the distributions apart: under the rules of Jazzy the same gains give other commands, but

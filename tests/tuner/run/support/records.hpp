@@ -28,6 +28,7 @@ inline RunRecord whole_record() {
   run.seed = 9007199254740993;  // more than a double can hold
   run.workers = 3;
   run.simulation = {Stepper::kRungeKutta4, Engine::kNative, "fnv1a-1"};
+  run.compare = {{"published", "a \"set\""}};
   run.search = {"a study.yaml",  "published", "COBYLA",         Stepper::kReference,
                 Engine::kNative, 297,         SearchEnd::kTime, "time used up after 297 evaluations"};
   run.tuned = {true, 0.35829592509754743, "fnv1a-2"};
@@ -59,7 +60,8 @@ inline RunRecord whole_record() {
   run.versions = {{"armtune", "0.1.0"}, {"eigen", "3.4.0"}};
   run.machine = {"a processor", 2};
   run.arithmetic = {"baseline x86-64", "fnv1a-3"};
-  run.inputs = {{"bundled robots/ur10.urdf", "fnv1a-4", ""}, {"b/c.yaml", "fnv1a-5", "inputs/01_c.yaml"}};
+  run.inputs = {{"bundled robots/ur10.urdf", "fnv1a-4", "", true},
+                {"b/c.yaml", "fnv1a-5", "inputs/01_c.yaml"}};
   return run;
 }
 
