@@ -20,8 +20,8 @@ namespace {
 constexpr const char* kXacro = "--xacro";
 constexpr const char* kXacroArgument = "--xacro-argument";
 /// Commands that read no robot.
-constexpr std::array<const char*, 6> kWithoutRobot = {"report",     "controllers", "metrics",
-                                                      "algorithms", "man",         "completion"};
+constexpr std::array<const char*, 7> kWithoutRobot = {"logs",       "report", "controllers", "metrics",
+                                                      "algorithms", "man",    "completion"};
 
 void announce_xacro(const std::string& command) {
   if (rank_place().rank == 0) fmt::print(stderr, "running: {}\n", one_line(command));
