@@ -217,6 +217,7 @@ std::vector<RosNode> ros2_nodes(const PlacedValue& root, const std::string& file
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<RosNode> nodes;
+  nodes.reserve(found.size());
   for (auto& [place, node] : found) nodes.push_back(std::move(node));
   return nodes;
 }

@@ -1,4 +1,5 @@
 #pragma once
+// Bags: files of recorded messages, as topics and bytes.
 
 #include <cstddef>
 #include <cstdint>

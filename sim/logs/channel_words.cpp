@@ -74,7 +74,7 @@ std::string take_unit(std::string_view& name) {
   if (name.empty() || (name.back() != ']' && name.back() != ')')) return {};
   const std::size_t open = name.find_last_of("[(");
   if (open == std::string_view::npos) return {};
-  const std::string unit = usual_unit(name.substr(open + 1, name.size() - open - 2));
+  std::string unit = usual_unit(name.substr(open + 1, name.size() - open - 2));
   if (!unit.empty()) name = name.substr(0, open);
   return unit;
 }

@@ -1,4 +1,5 @@
 #pragma once
+// A log: what a robot recorded, as numbers against time.
 
 #include <string>
 #include <vector>

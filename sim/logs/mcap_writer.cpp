@@ -67,7 +67,7 @@ std::size_t McapWriter::add_topic(const BagTopic& topic) {
 }
 
 void McapWriter::write(std::size_t topic, std::int64_t time, std::span<const std::byte> bytes) {
-  const auto refuse = [](const char* key, std::string value, std::string limit) {
+  const auto refuse = [](const char* key, const std::string& value, const std::string& limit) {
     throw InputError(InputPlace{.key = key},
                      InputFault{fmt::format("{} cannot be written", value), value, limit});
   };

@@ -89,6 +89,7 @@ std::string sharing_note(const ControllerInFile& from, const std::vector<const S
       by_parts.push_back({of, {what}});
   }
   std::vector<std::string> groups;
+  groups.reserve(by_parts.size());
   for (const auto& [parts, gains] : by_parts)
     groups.push_back(
         fmt::format("{}{}{}", fmt::join(gains, ", "), parts.empty() ? "" : " of ", one_line(parts)));

@@ -68,8 +68,8 @@ class Selection {
   std::vector<bool> unknowns(const std::vector<bool>& chosen) const {
     std::vector<bool> used(static_cast<std::size_t>(moments_.unknowns()), false);
     for (std::size_t c = 0; c < chosen.size(); ++c) {
-      for (int k = 0; chosen[c] && k < candidates_[c].count; ++k)
-        used[static_cast<std::size_t>(candidates_[c].first + k)] = true;
+      const auto first = used.begin() + candidates_[c].first;
+      if (chosen[c]) std::fill(first, first + candidates_[c].count, true);
     }
     return used;
   }

@@ -31,8 +31,8 @@ TEST(JsonLines, BreakObjectsAndListsDownToTheirDepth) {
 }
 
 TEST(JsonLines, LeaveTextsAsTheyAre) {
-  const std::string json = R"(["{\"a\":[1,2]}","\\","a:b, c]"])";
-  EXPECT_EQ(in_lines(json, 0), R"(["{\"a\":[1,2]}", "\\", "a:b, c]"])");
+  const std::string json = R"(["{\"a\":[1,2]}","5\",[1:2]","\\","a:b, c]"])";
+  EXPECT_EQ(in_lines(json, 0), R"(["{\"a\":[1,2]}", "5\",[1:2]", "\\", "a:b, c]"])");
 }
 
 TEST(JsonLines, AddNothingButSpaceBetweenTokens) {
