@@ -1,5 +1,5 @@
 #pragma once
-// Writes a file of any size piece by piece, of which other programs see either nothing or the whole.
+// Writes a file of any size piece by piece. Other programs see either nothing of it, or the whole file.
 
 #include <string>
 #include <string_view>

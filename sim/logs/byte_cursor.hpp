@@ -11,7 +11,7 @@
 
 namespace armtune::internal {
 
-/// Returns the little-endian number at the beginning of the bytes, of which there are enough.
+/// Returns the little-endian number at the beginning of the bytes. There must be enough bytes for it.
 template <std::unsigned_integral Number>
 Number little_endian_at(const std::byte* at) noexcept {
   Number number = 0;

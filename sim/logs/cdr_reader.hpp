@@ -63,7 +63,7 @@ class CdrReader {
     return value;
   }
 
-  /// Reads the length of a sequence, each element of which has at least one byte. bound: the longest that the
+  /// Reads the length of a sequence. Each element has at least one byte. bound: the longest that the
   /// definition allows; 0: any.
   std::size_t length(std::size_t bound) {
     const std::size_t at = at_;

@@ -59,7 +59,7 @@ GroupMeaning from_names(const TopicSummary& topic, ChannelGroup group) {
   return meaning;
 }
 
-/// Two quantities of which the second is the derivative of the first.
+/// Two quantities. The second is the derivative of the first.
 constexpr std::array kChains = {std::pair{Quantity::kPosition, Quantity::kVelocity},
                                 std::pair{Quantity::kVelocity, Quantity::kAcceleration}};
 
@@ -102,7 +102,7 @@ void contradict(const TopicSummary& topic, const GroupMeaning& a, GroupMeaning& 
   }
 }
 
-/// Groups that are called alike, or of which one has no name, are compared.
+/// True if a group can have the quantity: its name says so, or it has no name.
 bool may_be(const GroupMeaning& meaning, Quantity quantity) {
   return meaning.quantity == quantity || meaning.quantity == Quantity::kUnknown;
 }

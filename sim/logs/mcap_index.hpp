@@ -37,7 +37,7 @@ struct McapChunkPlace {
 
 class McapIndex {
  public:
-  /// Enters a Schema or Channel record, of which the summary has a copy.
+  /// Keeps a Schema or Channel record, because the summary repeats it.
   void add_schema(std::span<const std::byte> record) { schemas_.push_back({record.begin(), record.end()}); }
   void add_channel(std::span<const std::byte> record) { channels_.push_back({record.begin(), record.end()}); }
 

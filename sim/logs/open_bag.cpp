@@ -51,7 +51,7 @@ std::unique_ptr<BagReader> open_file(const fs::path& path) {
   return nullptr;
 }
 
-/// Reads the files of one recording, of which only one is open at a time.
+/// Reads the files of one recording, one after another. Only one is open at a time.
 class BagSequence : public BagReader {
  public:
   explicit BagSequence(std::vector<fs::path> files) : files_(std::move(files)) { open_next(); }
