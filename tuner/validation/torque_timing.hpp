@@ -1,7 +1,7 @@
 #pragma once
 // Finds whether measured torques are late, early or low-pass filtered against the motion. Each joint's
-// measured torque is regressed on the model's torque, friction, rotor inertia and an offset, of which each
-// candidate is delayed or filtered. The candidate with the smallest residuals is the most likely one.
+// measured torque is regressed on the model's torque, friction, rotor inertia and an offset. Each candidate
+// delays or filters these in another way. The candidate with the smallest residuals is the most likely one.
 
 #include "tuner/validation/torque_rows.hpp"
 

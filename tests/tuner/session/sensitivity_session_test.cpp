@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const std::atomic<bool> kNever{false};
 
-/// A run of three evaluations, of which the last gives the run's gains.
+/// A run of three evaluations. The last one gives the run's gains.
 class SensitivityOfARun : public testing::Test {
  protected:
   void SetUp() override {
