@@ -37,9 +37,9 @@ std::size_t count_of(const char* text) {
   return count;
 }
 
-/// Writes messages in CDR (a 4-byte head, the number of elements, alignment, doubles), of which each tenth is
-/// JSON. The values are sines with noise in their last 20 bits, so that they compress as measured joint
-/// states do.
+/// Writes messages in CDR (a 4-byte head, the number of elements, alignment, doubles). Each tenth message is
+/// JSON instead. The values are sines with noise in their last 20 bits, so that they compress as measured
+/// joint states do.
 void write(const std::string& path, std::string_view compression, std::size_t messages, std::size_t numbers) {
   const auto known = chunk_compression_of(compression == "none" ? "" : compression);
   if (!known)
