@@ -1,6 +1,7 @@
-// Measures the cost of a cell. It compares rollouts of one arm in armtune's own dynamics without a cell, and
-// with the distances of its links from each other, from the floor, from two parts at rest and from a moving
-// part. The two are measured in turn.
+// Measures the cost of a cell: the time of a control period in rollouts of one arm, in armtune's own dynamics
+// and outside of lanes. It compares rollouts without any distances with rollouts that know at every period
+// the smallest distances of the links from each other, from the floor, from two parts at rest and from a
+// moving part. The two are run in turn, and the medians are compared. The goal is a ratio of at most 1.3.
 
 #include <fmt/format.h>
 
@@ -51,6 +52,10 @@ double seconds_per_period(const std::shared_ptr<const PreparedScenario>& prepare
 int main() {
   constexpr int kBlocks = 11;
   fmt::print("{}\n", measured_with());
+  fmt::print(
+      "Time of a control period, median of {} rollouts on one thread. The goal is a ratio of at most 1.3.\n"
+      "Pairs of bodies that are watched in the cell: links, floor, table, post and moving ball.\n\n",
+      kBlocks);
   fmt::print("{:<10}{:>8}{:>20}{:>20}{:>20}\n", "arm", "pairs", "without [us]", "in a cell [us]", "ratio");
   for (const char* name : {"ur5e", "fr3", "gen3_7", "ur10"}) {
     const auto robot = load_robot(name);

@@ -9,7 +9,7 @@ install(TARGETS armtune_core armtune_sim armtune_tuner armtune_simbody EXPORT ar
 # The interface alone: headers of core, sim and tuner are armtune's own.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/armtune DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
 if(ARMTUNE_SUITESPARSE)
-  install(TARGETS armtune_identification armtune_validation armtune_planning EXPORT armtune_suitesparse
+  install(TARGETS armtune_identification armtune_validation armtune_calibration armtune_planning EXPORT armtune_suitesparse
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
   install(EXPORT armtune_suitesparse NAMESPACE armtune:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune
     FILE armtuneSuiteSparseTargets.cmake COMPONENT dev)

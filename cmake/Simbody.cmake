@@ -27,3 +27,14 @@ else()
   set(SIMBODY_COMPILE_OPTIONS "-std=c++17;-DNDEBUG")
 endif()
 message(STATUS "Simbody ${Simbody_VERSION}: a ${SIMBODY_BUILD} build, ${Simbody_DIR}")
+
+# armtune_load_simbody_first(TARGET): at a start, the dynamic linker looks for each symbol in the program's
+# libraries, in their order. Most of these symbols are in Simbody's libraries and in the C++ library. With these
+# libraries first, a start takes a sixth fewer instructions.
+function(armtune_load_simbody_first TARGET)
+  # A sanitizer's library has to come first itself. --no-as-needed: the objects that need the libraries come later.
+  if(NOT ARMTUNE_SANITIZE)
+    target_link_options(${TARGET} PRIVATE "SHELL:-Wl,--push-state,--no-as-needed $<TARGET_FILE:SimTKcommon> -lstdc++ \
+$<TARGET_FILE:SimTKmath> $<TARGET_FILE:SimTKsimbody> -Wl,--pop-state")
+  endif()
+endfunction()

@@ -14,10 +14,10 @@ class DelayLine {
   /// n: number of joints; periods >= 0. The delayed vector is zero until the first one arrives.
   DelayLine(int n, int periods) : line_(static_cast<std::size_t>(periods) + 1, JointVector::Zero(n)) {}
 
-  /// Makes `value` (n) the vector that arrives before the first one.
+  /// Sets the vector (n) that pass() returns until the first delayed vector arrives.
   void fill(const JointVector& value) { std::fill(line_.begin(), line_.end(), value); }
 
-  /// Takes this period's vector and returns the one of `periods` control periods ago.
+  /// Takes this period's vector and returns the vector that was passed `periods` control periods ago.
   const JointVector& pass(const JointVector& now) {
     line_[next_] = now;
     next_ = (next_ + 1) % line_.size();

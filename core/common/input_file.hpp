@@ -1,6 +1,6 @@
 #pragma once
-// Reads whole files as text. Files that the user names are read only once in a run, so that the run uses one
-// state of them even if they change meanwhile.
+// Reads whole files as text. Files that the user names are read only once in a run, so that the whole run
+// uses the same content even if the files change meanwhile.
 
 #include <cstddef>
 #include <memory>
@@ -23,8 +23,8 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
 std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
 /// Keeps the content of the files that read_input_file reads, for as long as it lives. A run then uses and
-/// records one state of its inputs, even if the files change meanwhile. It is for a program that makes one
-/// run: only one InputRecord may exist at a time, and all threads share it.
+/// records the same content of its inputs, even if the files change meanwhile. It is for a program that makes
+/// one run: only one InputRecord may exist at a time, and all threads share it.
 class InputRecord {
  public:
   InputRecord();

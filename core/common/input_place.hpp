@@ -1,5 +1,5 @@
 #pragma once
-// Makes the place in a file that an InputError names.
+// Makes an InputPlace, which is the place in a file that an InputError names.
 
 #include <concepts>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
-// A twin is a pair of numbers. Every operation acts on both numbers at once, because two doubles fit one SSE2
-// register, which every x86-64 processor has. The dynamics use twins where two quantities go through the same
-// arithmetic, such as linear and angular velocity, or force and moment.
+// A twin is a pair of numbers. Every operation acts on both numbers at once. If they are doubles, they fit
+// into one SSE2 register, which every x86-64 processor has. The dynamics use twins where two quantities go
+// through the same arithmetic, such as linear and angular velocity, or force and moment.
 
 namespace armtune::internal {
 

@@ -4,8 +4,9 @@
 // last place of the exact value (3 for angles between 1000 and kLargestAngle). A NaN remains a NaN.
 //
 // The argument is reduced after Cody and Waite (Software Manual for the Elementary Functions, 1980), with
-// pi/2 and ln 2 in parts of 33 bits so that their multiples are exact. Polynomials then interpolate the
-// function at Chebyshev nodes. Their largest error is within a few per cent of the smallest possible one.
+// pi/2 and ln 2 split into parts of 33 bits, so that multiples of these parts are exact. Polynomials then
+// interpolate the function at Chebyshev nodes. Their largest error is a few per cent above that of the best
+// polynomials of the same degree.
 
 namespace armtune::internal::vector_math {
 
@@ -16,7 +17,7 @@ using Double2 = double __attribute__((vector_size(16)));
 template <typename V>
 using Bits = decltype(V{} < V{});
 
-/// Largest angle [rad] of sine_cosine. Beyond it the reduced angle is less exact.
+/// Largest angle [rad] of sine_cosine. For larger angles, the reduction of the argument loses accuracy.
 inline constexpr double kLargestAngle = 1e5;
 /// 1.5 * 2^52. Adding and subtracting it rounds to the nearest integer. The lowest bits of the sum are those
 /// of that integer.

@@ -7,7 +7,7 @@
 // The published law (NOTATION.md) computes Y from the measured motion, Y(q, q', qr', qr''). S contains the
 // noise e of the measured velocities. Through the feedback, qr'' = ... - Kp e also contains it. S and Y are
 // then correlated, so the inertia estimates grow without end, by gamma Kp E[e^2] per second. Three options
-// bound theta; the published law has none of them:
+// limit this drift of theta; the published law has none of them:
 //   - Y is computed from the filtered motion (adaptation_filter.hpp), which has hardly any noise.
 //   - Leakage moves theta towards its start values, faster for inertias than for the other parameters. Noise
 //     mainly increases the estimates of inertias, and an overestimated inertia of a light wrist makes the
@@ -46,7 +46,8 @@ class AdaptationT {
     }
   }
 
-  /// Applies leakage (Ioannou and Kokotovic's sigma modification): theta <- theta - rate (theta - start) dt.
+  /// Applies leakage (Ioannou and Kokotovic's sigma modification):
+  ///   theta <- theta - rate * (theta - start) * dt.
   /// The rate is `leakage`; for the inertias of links and rotors it is `leakage` + `of_inertias` [1/s].
   void leak(const T& leakage, const T& of_inertias, const T& dt, const MaskT<T>& where = T(0) < T(1)) {
     const T slow = leakage * dt;

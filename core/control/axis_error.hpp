@@ -1,7 +1,7 @@
 #pragma once
 // Orientation errors for tasks in which the tool may turn freely about its z axis
-// (TaskMask::kPositionAndAxis). The errors have no component about that axis. Otherwise gains that differ
-// between axes would turn this component into a tilt of the tool.
+// (TaskMask::kPositionAndAxis). The errors have no component about that axis. If they had one, gains that
+// differ between axes would turn it into a tilt of the tool.
 
 #include "core/trajectory/gaze.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 // Makes the decisions of a controller in every control period: its state, the motion that it tracks, its
-// gains, how far references that are too fast are slowed down, and the limits of its torques. The decisions
-// are made for each arm separately. The numerical work between them is done elsewhere: for one arm in
-// core/control/laws/controller.hpp, and for several arms at once in sim/lanes.
+// gains, by how much references that are too fast are slowed down, and the limits of its torques. The
+// decisions are made for each arm separately. The numerical work between them is done elsewhere: for one arm
+// in core/control/laws/controller.hpp, and for several arms at once in sim/lanes.
 
 #include <memory>
 #include <optional>
@@ -32,7 +32,7 @@ struct ArmView {
 class ControlLogic {
  public:
   /// gains must be valid for the model (see validate). period: control period [s]. mask: the components of
-  /// the tool's motion that are the task.
+  /// the tool's motion that the task prescribes.
   ControlLogic(std::shared_ptr<const RobotModel> model, const Gains& gains, double period,
                TaskMask mask = TaskMask::kPose);
 

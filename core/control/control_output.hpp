@@ -27,7 +27,7 @@ struct Scene {
   /// Planned joint motion over simulated time, which the controller follows first. If null, the controller
   /// starts in the state leaveSingularity instead. The plan is the same in every period.
   const JointSpline* plan = nullptr;
-  /// True if the joints stay at the end of the plan. Otherwise the tool's path follows it.
+  /// True if the joints stay at the end of the plan. Otherwise the tool follows its path after the plan.
   bool holds_plan = false;
   /// The path's motion at this time if it has been computed already, else null.
   const MotionPoint<Vec3>* on_path = nullptr;
@@ -44,7 +44,7 @@ struct ControlOutput {
   bool slerping = false;
   MotionPoint<Vec3> desired;         ///< linear reference; the tool's own position if none is tracked
   OrientationPoint desired_gaze;     ///< orientation reference; identity before a state tracks one
-  Vec3 gaze_turn = Vec3::Zero();     ///< turn from the measured tool to its aim, if the state tracks one
+  Vec3 gaze_turn = Vec3::Zero();     ///< turn from the measured tool to its aim, if the state has an aim
   CartesianErrors errors;            ///< as used by the law; zero in states that track joints
   MotionPoint<JointVector> planned;  ///< qd, qd', qd'' of followPlan; empty before its first period
   JointReference reference;          ///< qr', qr''

@@ -89,11 +89,11 @@ constexpr GainField kFields[] = {
             &Gains::adapt_while_avoiding, false}),
     {"variable_damping", "",
      "whether the damping psi grows from zero as the manipulability falls below manipulability_threshold; "
-     "otherwise psi acts in full from there on",
+     "otherwise psi has its full value whenever the manipulability is below that threshold",
      &Gains::variable_damping, false},
     {"gaze_feedforward", "",
-     "whether the desired orientation rotates with the line from tool to target; otherwise its angular "
-     "velocity is zero outside slerps, as published",
+     "whether the desired angular velocity includes the rotation of the line from tool to target; "
+     "otherwise it is zero outside slerps, as published",
      &Gains::gaze_feedforward, false},
     {"slerp_start_angle", "rad",
      "gaze error above which a slerp starts; 0: the gain slerpAngularErrorThreshold is used in its place",

@@ -18,15 +18,16 @@ enum class SearchRange {
   kNone,    ///< not tuned unless the study names it
   kFactor,  ///< lower_factor .. upper_factor times the start value, on a log scale
   /// For a stiffness: lower_factor times the start value .. a bound that the user gives, on a log scale. It
-  /// is not tuned without this bound, because it depends on contacts, which are not simulated.
+  /// is not tuned without this bound, because the suitable stiffness depends on contacts, which are not
+  /// simulated.
   kBounded,
   /// For Ki: 0 .. Kp^2/4, on a linear scale, with the Kp of the same axis. With a larger Ki, the error e of
   /// e'' + Kp e' + Ki e = 0 oscillates.
   kCriticalDamping
 };
 
-/// The effect on a gain if the gain of the control loop is multiplied by a factor. The gain margin is found
-/// by such factors.
+/// How a gain changes when the gain of the whole control loop is multiplied by a factor. This is how the gain
+/// margin is found.
 enum class LoopGain : unsigned char {
   kNone,    ///< the gain is unchanged
   kFactor,  ///< the gain is multiplied by the factor

@@ -3,8 +3,8 @@
 // singularities.
 //
 // If the damping psi is switched on at once, the joint reference jumps when the manipulability m passes the
-// threshold. Variable damping grows from zero there: psi (1 - m/threshold)^2 (Nakamura, Hanafusa, Inverse
-// kinematic solutions with singularity robustness for robot manipulator control, 1986).
+// threshold. Variable damping grows from zero at the threshold: psi * (1 - m/threshold)^2 (Nakamura,
+// Hanafusa, Inverse kinematic solutions with singularity robustness for robot manipulator control, 1986).
 
 namespace armtune::internal {
 

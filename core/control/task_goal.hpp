@@ -6,7 +6,8 @@
 // for every task.
 //
 // The goal is computed by closed-loop inverse kinematics (Siciliano et al., Robotics: Modelling, Planning and
-// Control, section 3.7). The joint positions q of the imaginary arm are integrated from the start:
+// Control, section 3.7). The joint positions q of the imaginary arm are integrated from those that start()
+// sets:
 //   q' = J+ (xd' - K e),   q'' = J+ (xd'' - K e' - J' q'),   e: error of its tool.
 // The goal ignores the joints' position limits, as the Cartesian law of the next state does.
 
@@ -41,7 +42,7 @@ class TaskGoal {
   JointVector step_;  ///< from this configuration to the next
 };
 
-/// Returns the motion from rest at `start` (n) to a moving goal: (1 - s) start + s goal, with its
+/// Returns the motion from rest at `start` (n) to a moving goal: (1 - s) * start + s * goal, with its
 /// derivatives. s: interpolation parameter from 0 to 1, at rest at both ends.
 MotionPoint<JointVector> towards(const JointVector& start, const MotionPoint<JointVector>& goal,
                                  const MotionPoint<double>& s);

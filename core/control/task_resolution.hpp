@@ -2,7 +2,7 @@
 // Computes the references of the joints from those of the tool (equation 2 in NOTATION.md):
 //   qr' = J+ xr',   qr'' = J+ (xr'' - J' qr').
 //
-// With more joints than task components, many joint motions fulfil the task. The references are the one of
+// With more joints than task components, many joint motions fulfil the task. The reference is the one of
 // these motions that is closest to a motion z, which moves the joints towards the middle of their position
 // limits (Liegeois, Automatic supervisory control of the configuration and behavior of multibody mechanisms,
 // 1977):
@@ -11,9 +11,9 @@
 //   qr'' = y + J^T (J J^T)^-1 (xr'' - J' qr' - J y),   y = z' + J'^T L.
 //
 // For a task with fewer components (task_mask.hpp), E J replaces J, where the matrix E selects the
-// components. If E turns with the tool, its derivative E' adds J^T (0, w x L) to y and subtracts (0, w x r)
-// from xr''. Here w is the tool's angular velocity, and r = xr' - J qr' is the part of xr' that is not in the
-// task.
+// components. If E turns with the tool, its derivative E' is not zero: it adds J^T (0, w x L_o) to y and
+// subtracts (0, w x r_o) from xr''. Here w is the tool's angular velocity, r = xr' - J qr' is the part of xr'
+// that is not in the task, and L_o and r_o are the last three components of L and r, those of orientation.
 
 #include "core/control/cartesian_law.hpp"
 #include "core/control/joint_centering.hpp"

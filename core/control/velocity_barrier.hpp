@@ -1,12 +1,12 @@
 #pragma once
-// A velocity barrier adds damping to a joint that grows as |q'| approaches the joint's limit. It acts against
+// A velocity barrier damps a joint, and damps it more as |q'| approaches the joint's limit. It acts against
 // torques that bypass the velocity reference, such as the repulsion of obstacles:
-//   tau_i <- tau_i - gain Kd_i h (|q'_i| - start limit_i) sign(q'_i),
+//   tau_i <- tau_i - gain * Kd_i * h * (|q'_i| - start * limit_i) * sign(q'_i),
 //   h = 3 x^2 - 2 x^3,   x = (|q'_i| / limit_i - start) / (1 - start).
-// h rises from 0 at |q'_i| = start limit_i, where the barrier begins, to 1 at the limit. In addition, the
-// barrier multiplies a bypassing torque in the direction of motion by 1 - h. The damping acts only on the
-// part of |q'_i| above start limit_i. Its slope therefore stays below 1.7 gain Kd. With a steeper slope, the
-// sampled control loop would oscillate.
+// start is a fraction of the limit. h rises from 0 at |q'_i| = start * limit_i, where the barrier begins, to
+// 1 at the limit. In addition, the barrier multiplies a bypassing torque in the direction of motion by 1 - h.
+// The damping acts only on the part of |q'_i| above start * limit_i. The slope of this torque therefore stays
+// below 1.7 * gain * Kd. With a steeper slope, the sampled control loop would oscillate.
 
 #include <algorithm>
 #include <cmath>

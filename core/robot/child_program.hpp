@@ -24,7 +24,7 @@ struct ChildOutcome {
 };
 
 /// Returns the path of an executable file of this name in a folder of the environment variable PATH. Relative
-/// folders in PATH are left out: they could lead to a program that came with the file.
+/// folders in PATH are left out, because they could lead to a program that came with an input file.
 std::optional<std::string> program_in_path(const std::string& name);
 
 /// Runs the program and waits for its end. words: path and arguments. Its standard input is empty. Its output

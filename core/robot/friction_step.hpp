@@ -13,7 +13,8 @@
 // With G = h c / 2 and f(v) = c v this is friction in the middle of the step, c (v0 + h k / 2). It is a
 // W-method (Steihaug and Wolfbrandt 1979; Hairer and Wanner, Solving Ordinary Differential Equations II,
 // section IV.7), with these choices:
-//   - G is 0 where friction is not stiff. The rule is then bit-identical to the explicit one, with its order.
+//   - G is 0 where friction is not stiff. The rule is then bit-identical to the explicit one, and has the
+//     same order.
 //   - Where friction is stiff, G is h c / 2. A Runge-Kutta rule then has second order, and the semi-implicit
 //     Euler rule first order, because G k and (2 / h) G (v - v0) differ by O(h^2). A step of
 //     friction alone gains no energy, because h c is at most twice M + D + G.

@@ -134,8 +134,8 @@ void LinkInertias::judge(Chain& chain, const std::string& source, MissingData* m
       fmt::format(
           "no moving link can have this inertia: {}. No mass or moment may be negative, no principal moment may "
           "be larger than the sum of the other two (triangle inequality), and a link needs inertia about the "
-          "axis of its joint. 'armtune robot {} --sidecar arm.yaml' proposes the nearest possible values, and "
-          "asks for those that have none",
+          "axis of its joint. 'armtune robot {} --sidecar arm.yaml' proposes the nearest possible values, "
+          "and leaves a gap for you to fill in where there are none",
           named, source))
       .with_value(first->fault, "the inertia of a rigid body");
 }

@@ -26,7 +26,8 @@ LinkInertia in_link_frame(const GivenInertia& told);
 /// Adds an inertia about the origin of a link's frame to the moving body that carries the link.
 void add_to_body(const LinkInertia& in_L, const Site& site, Chain& chain);
 
-/// The links that have been added to the bodies of a chain, so that a message can name those at fault.
+/// The links that have been added to the bodies of a chain, so that a message can name the links with
+/// impossible inertias.
 class LinkInertias {
  public:
   /// Adds a link to the body that it is fixed to, with the inertia that the file gives. The file must give

@@ -9,9 +9,9 @@ namespace armtune::internal {
 /// Returns the radius [m] of each link (n), from its simple collision shapes or, if it has none, its simple
 /// visual shapes. It is the largest radius of the link's cylinders, capsules and spheres. A box counts with
 /// half the diagonal of its cross-section perpendicular to its longest edge. The radius is NaN if the link
-/// has no such shape, for example only meshes. The position of a shape is ignored: with_link_surfaces
-/// puts a capsule around the straight line between the joints' origins, and a shape beside that line sticks
-/// out of it.
+/// has no such shape, for example only meshes. The position of a shape is ignored: with_link_surfaces puts a
+/// capsule around the straight line between the joints' origins, and a shape beside that line sticks out of
+/// this capsule.
 JointVector shape_radii(const RobotModel& model);
 
 /// Returns the same arm with capsules around its links, from which the distance of obstacles is measured. The

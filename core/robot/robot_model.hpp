@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/robot/chain.hpp"
-#include "core/robot/rotor_source.hpp"
 #include "core/robot/shape.hpp"
 #include "core/robot/urdf_interfaces.hpp"
+#include "core/robot/value_source.hpp"
 
 namespace armtune::internal {
 
@@ -31,6 +31,15 @@ struct JointInfo {
   JointInterfaces interfaces = {};  ///< from ros2_control
 };
 
+/// The frame L of a link of the URDF. Links that are fixed to each other belong to one body, but each of them
+/// has its own frame L.
+struct LinkFrame {
+  std::string name;
+  int body = -1;                 ///< index of the joint that moves it; -1: the base
+  Mat3 R_BL = Mat3::Identity();  ///< orientation in the body frame B (chain.hpp)
+  Vec3 p_BL = Vec3::Zero();      ///< origin in B [m]
+};
+
 struct RobotModel {
   std::string name;
   std::string source;              ///< the URDF file, for messages
@@ -42,7 +51,9 @@ struct RobotModel {
   JointVector link_radii;     ///< radius of each joint's link [m], NaN if not known; empty: none is known
   std::vector<std::string>
       estimated_rotors;  ///< joints whose rotor inertia is an estimate (rotor_estimate.hpp)
-  RotorSource rotor_source = RotorSource::kGiven;  ///< origin of the rotor inertia of the other joints
+  ValueSource rotor_source = ValueSource::kGiven;    ///< origin of the rotor inertia of the other joints
+  ValueSource viscous_source = ValueSource::kGiven;  ///< origin of the viscous friction
+  ValueSource coulomb_source = ValueSource::kGiven;  ///< origin of the Coulomb friction
   /// True if the robot itself adds the torque that holds its weight to the commands of a controller without a
   /// gravity model (joint_trajectory_law.hpp). That torque still counts towards the effort limits.
   bool compensates_gravity = false;
@@ -50,11 +61,12 @@ struct RobotModel {
   JointVector drive_velocity_gain, drive_velocity_integral;
   JointVector
       drive_position_gain;  ///< of the loops in front of them, n [1/s] (joint_drives.hpp); may be empty
-  /// Largest change of each drive's torque per second, n [N m/s, N/s], and the time by which it acts late,
-  /// n [s] (drive_output.hpp). Empty: no limit, no delay.
+  /// Largest change of each drive's torque per second, n [N m/s, N/s], and the delay after which it acts, n
+  /// [s] (drive_output.hpp). Empty: no limit, no delay.
   JointVector drive_torque_rate, drive_delay;
   double drive_rate = 0.0;  ///< lowest rate of the drives [Hz]; 0: not known
   Chain chain;
+  std::vector<LinkFrame> links;  ///< all links of the arm, in the order of their names; empty without a URDF
 
   int n() const { return chain.n; }
   /// Returns the index of a joint by name. If no joint has this name, it throws InputError that lists all
@@ -81,8 +93,9 @@ std::vector<std::string> joint_names(const RobotModel& model);
 std::vector<std::string> theta_names(const RobotModel& model);
 
 /// Returns an upper bound of the distance from the first joint's origin to the tool's origin [m]. The bound
-/// is the length of the line through all joint origins to the tool, plus the largest displacement of each
-/// prismatic joint from zero. The distance from the base frame to the first joint is not included.
+/// is the sum of the distances between neighbouring joint origins and from the last one to the tool, plus the
+/// largest displacement of each prismatic joint from zero. The distance from the base frame to the first
+/// joint is not included.
 double reach(const RobotModel& model);
 
 /// Returns the inertia of a body with frame B, about the origin of frame A and in A's axes. R_AB, p_AB [m]:

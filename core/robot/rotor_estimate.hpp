@@ -12,14 +12,12 @@ namespace armtune::internal {
 ///
 /// Motors are usually chosen so that this time is a small part of the time of a move. In the published data
 /// of three families of arms it lies between 14 and 90 ms:
-///   - 14 to 90 ms for the seven joints of the Franka Research 3 (Franka's data, as quoted in the Drake
-///   project's
-///     model of the arm),
+///   - 14 to 90 ms for the seven joints of the Franka Research 3 (data of Franka, quoted in Drake's model of
+///     the arm),
 ///   - 28 to 56 ms for the five joints of the KUKA youBot (from its motors and gear ratios),
-///   - 39 ms for the first three joints of the Manutec r3, an industrial robot for 15 kg (measured by DLR:
-///   Tuerk,
-///     Fortschrittberichte VDI 8 (211), 1990; quoted in the Modelica Standard Library's RobotR3). For its
-///     wrist no torque limits are published.
+///   - 39 ms for the first three joints of the Manutec r3, an industrial robot for 15 kg (measured by DLR,
+///     see Tuerk, Fortschrittberichte VDI 8 (211), 1990; quoted in RobotR3 of the Modelica Standard Library).
+///     No torque limits are published for its wrist.
 /// 1/30 s is within a factor of 3 of all these values.
 inline constexpr double kRotorTime = 1.0 / 30.0;
 

@@ -45,6 +45,7 @@ class ArmBuilder {
     if (!loose_.empty()) refuse_loose();
     refuse_unused();
     if (model_.n() > 0) place_tool();
+    for (const auto& [name, site] : sites_) model_.links.push_back({name, site.body, site.R_BL, site.p_BL});
     link_inertias_.judge(model_.chain, model_.source, missing_);
     if (missing_ != nullptr) find_massless();
     validate(model_);
@@ -288,12 +289,13 @@ class ArmBuilder {
     const std::string hold =
         fmt::format("hold: {{{}: {}, {}: {}}}", other.name, place_to_hold(other, options_), joint.name,
                     place_to_hold(joint, options_));
-    refuse(joint.name, other.name, "one moving joint on each link",
-           fmt::format("armtune needs a serial arm, but joints '{}' and '{}' both move on '{}'. If they are "
-                       "the fingers of a gripper, hold both with '{}' in a robot YAML; otherwise name the "
-                       "tip_link, or hold the joint that is not part of the arm",
-                       other.name, joint.name, next == 0 ? model_.base_link : model_.joints[next - 1].link,
-                       hold));
+    refuse(
+        joint.name, other.name, "one moving joint on each link",
+        fmt::format(
+            "armtune needs a serial arm, but the moving joints '{}' and '{}' are both attached to link "
+            "'{}'. If they are the fingers of a gripper, hold both with '{}' in a robot YAML; otherwise name "
+            "the tip_link, or hold the joint that is not part of the arm",
+            other.name, joint.name, next == 0 ? model_.base_link : model_.joints[next - 1].link, hold));
   }
 
   void add_inertia(const UrdfLink& link, const Site& site) {

@@ -10,9 +10,9 @@
 namespace armtune::internal {
 
 /// Returns the joint's limits [rad, m, rad/s, m/s, N m, N]; those of the options replace those of the file.
-/// With `missing`, the joint is added there for each limit that it lacks, and the limit becomes 1 (for
-/// positions: -1 to 1). Without `missing`, it throws InputError if position limits are missing; the message
-/// begins with `source`.
+/// With `missing`, each limit that the joint lacks is listed in `missing`, and becomes 1 (for positions: -1
+/// to 1). Without `missing`, it throws InputError if position limits are missing; the message begins with
+/// `source`.
 JointLimits limits_of(const UrdfJoint& joint, const UrdfOptions& options, const std::string& source,
                       MissingData* missing);
 

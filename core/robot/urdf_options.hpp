@@ -56,8 +56,8 @@ struct ImpossibleInertia {
   double moved = 0.0;    ///< change of the moments, relative to those given (Frobenius norms)
 
   bool has_moments() const { return !nearest.about_center.isZero(0.0); }
-  /// False if the user must give the mass or the moments. A negative mass has no nearest one above zero, and
-  /// moments that are all zero leave open which of them to raise.
+  /// False if the user must give the mass or the moments, because none can be proposed: if the given mass is
+  /// negative, or if all given moments are zero.
   bool is_complete() const { return nearest.mass > 0.0 && has_moments(); }
 };
 

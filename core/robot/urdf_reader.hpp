@@ -12,8 +12,8 @@ namespace armtune::internal {
 /// larger tree. Fixed links, and those after held joints, are merged into the moving link that carries them.
 /// Axes are normalised. Rotor inertia is that of the transmissions (urdf_rotors.hpp), else zero. `dynamics`
 /// elements give viscous and Coulomb friction. Frame 0 is the base link's frame, with gravity as it acts
-/// there. Throws InputError naming the file, the link or joint, and what to do. With `missing`, it lists
-/// there data that are missing or wrong, and puts placeholders into the model (urdf_arm.hpp).
+/// there. Throws InputError naming the file, the link or joint, and what to do. With `missing`, it lists data
+/// that are missing or wrong in `missing`, and puts placeholders for them into the model (urdf_arm.hpp).
 RobotModel read_urdf(const std::string& path, const UrdfOptions& options = {},
                      MissingData* missing = nullptr);
 

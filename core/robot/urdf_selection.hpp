@@ -22,8 +22,8 @@ struct UrdfSelection {
 };
 
 /// Returns a joint's lower and upper position limit [rad, m]; those of the options replace those of the file.
-/// Returns no value if there are no limits, or if both are equal: if the file gives only velocity and effort
-/// limits, urdfdom sets both position limits to zero.
+/// Returns no value if there are no limits, or if both are equal. Both are zero if the file gives only
+/// velocity and effort limits, because urdfdom then sets them so.
 std::optional<std::pair<double, double>> position_range(const UrdfJoint& joint, const UrdfOptions& options);
 
 /// Selects the joints of the arm. `tree` must pass require_tree. Throws InputError, with a message that

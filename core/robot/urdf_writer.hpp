@@ -12,10 +12,10 @@ namespace armtune::internal {
 /// Returns the name of the URDF's last link: `tool`, followed by underscores if the name is taken in the arm.
 std::string urdf_tool_link(const RobotModel& model);
 
-/// Returns the text of the URDF. Its last link has the name `urdf_tool_link` and the tool frame. Its root is
-/// the base link. If the base link is tilted, the root is an additional upright link below it. A chain that
-/// is read back from base link to last link is the same, except that rotor inertia and friction are missing,
-/// because a URDF cannot hold them exactly.
+/// Returns the text of the URDF. Its last link has the name that urdf_tool_link() returns, and its frame is
+/// the tool frame. Its root is the base link. If the base link is tilted, the root is an additional upright
+/// link below it. A chain that is read back from base link to last link is the same, except that rotor
+/// inertia and friction are missing, because a URDF cannot hold them exactly.
 std::string urdf_text(const RobotModel& model);
 
 }  // namespace armtune::internal

@@ -1,7 +1,7 @@
 #pragma once
 // Expands xacro files to URDF by the program `xacro`. This program evaluates Python expressions that are in
-// the file. Therefore it is run only if the user has asked for it, which an object of XacroExpansion stands
-// for.
+// the file. Therefore it is run only if the user has asked for it, that is, only while an object of the class
+// XacroExpansion exists.
 
 #include <cstddef>
 #include <functional>
@@ -18,8 +18,8 @@ struct XacroOptions {
   std::function<void(const std::string& command)> starting;
 };
 
-/// Allows this process to expand xacro files for as long as it lives. Only one may exist at a time, and all
-/// threads share it. Each file is expanded once; later readers get the same text.
+/// While an object of this class exists, this process may expand xacro files. Only one object may exist at a
+/// time, and all threads share it. Each file is expanded once; later readers get the same text.
 class XacroExpansion {
  public:
   /// Throws InputError if an argument is not of the form NAME:=VALUE, where NAME has letters, digits and

@@ -37,7 +37,7 @@ class JointSpline {
   const std::vector<MotionPoint<JointVector>>& knots() const { return knots_; }
 
   /// Returns q, q', q'' at t. Before the start and after the end, it returns the values of the start and of
-  /// the end. With jumps, its values at a knot and until the next one are those of the next one. Allocates
+  /// the end. With jumps, it returns the values of the next knot from the time of each knot on. Allocates
   /// nothing; the knots around t are found by bisection.
   MotionPoint<JointVector> at(double t) const;
 
@@ -50,7 +50,7 @@ class JointSpline {
   std::vector<double> time_;
   std::vector<MotionPoint<JointVector>> knots_;
   std::vector<Quintic<JointVector>> segments_;  ///< empty: acceleration is linear between knots
-  bool jumps_ = false;                          ///< true: neither of both, but jumps
+  bool jumps_ = false;                          ///< true: the motion jumps from knot to knot
 };
 
 }  // namespace armtune::internal

@@ -4,7 +4,7 @@
 // Tracking and Kalman Filtering Made Easy, section 1.4. In every period dt it predicts position p, velocity v
 // and acceleration a, and corrects them by the residual r, which is the sample minus the predicted position:
 //   p += g r,  v += h r / dt,  a += 2 k r / dt^2,
-//   g = 1 - beta^3,  h = 3/2 (1 - beta)^2 (1 + beta),  k = 1/2 (1 - beta)^3,  beta = exp(-bandwidth dt).
+//   g = 1 - beta^3,  h = 3/2 (1 - beta)^2 (1 + beta),  k = 1/2 (1 - beta)^3,  beta = exp(-bandwidth * dt).
 // The estimate follows a point of constant acceleration without lag.
 
 #include <cmath>

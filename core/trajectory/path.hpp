@@ -25,7 +25,7 @@ struct Path {
   double phase = 0.0;          ///< [rad]
   std::vector<HarmonicTerm> terms;
   std::shared_ptr<const PositionSpline> spline = nullptr;  ///< null: none. A path with a spline has no terms.
-  double spline_rate = 1.0;  ///< > 0; the spline is evaluated at spline_rate t + spline_lead
+  double spline_rate = 1.0;  ///< > 0; the spline is evaluated at spline_rate * t + spline_lead
   double spline_lead = 0.0;  ///< [s]
 
   /// Returns position [m], velocity and acceleration at t [s]; the derivatives are exact. Allocates nothing.

@@ -1,7 +1,7 @@
 #pragma once
 // A path along straight sides between corners, at constant speed. At each corner a quintic, the blend, leads
 // from one side to the next. It starts at the distance `blend` before the corner, ends at the same distance
-// after it, and takes the time 2 blend / speed. The acceleration is zero at both ends of the quintic, so
+// after it, and takes the time 2 * blend / speed. The acceleration is zero at both ends of the quintic, so
 // velocity and acceleration do not jump. (Siciliano et al., Robotics: Modelling, Planning and Control,
 // section 4.2.2, with quintics in place of parabolas.)
 

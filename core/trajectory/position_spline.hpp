@@ -35,8 +35,9 @@ class PositionSpline {
  private:
   /// Returns the index of the piece that holds t, and the time since its start. t: as returned by `inside`.
   std::pair<std::size_t, double> piece(double t) const;
-  /// Returns t. For a loop, t is mapped into the first pass. Without a loop, there is no value before the
-  /// start and after the end, where the point rests.
+  /// Returns the time at which the spline is evaluated for t. For a loop, this is t mapped into the first
+  /// pass. Without a loop, it is t between start and end, and there is no value outside, where the point
+  /// rests.
   std::optional<double> inside(double t) const;
 
   std::vector<double> time_;

@@ -53,7 +53,7 @@ inline TurnRate rotation_rate(const MotionPoint<Vec3>& psi) {
 /// Computes the inverse of rotation_rate: returns psi with psi' and psi''. psi: rotation vector [rad] from a
 /// fixed orientation to one that turns with `rate`; |psi| < 2 pi.
 ///   psi' = J_l^-1 w,   psi'' = J_l^-1 (w' - J_l' psi'),   J_l^-1 = 1 - [psi] / 2 + c [psi]^2,
-///   c = (1 - angle sin(angle) / (2 (1 - cos(angle)))) / angle^2.
+///   c = (1 - angle * sin(angle) / (2 (1 - cos(angle)))) / angle^2.
 inline MotionPoint<Vec3> rotation_vector_motion(const Vec3& psi, const TurnRate& rate) {
   const double x = psi.squaredNorm();
   double c = 0.0;

@@ -11,8 +11,8 @@
 namespace armtune::internal {
 
 struct ToolOrientation {
-  /// Tool orientation in the base frame. With a `turn`, it is the orientation at the turn's beginning. It is
-  /// not used with an `approach`.
+  /// Tool orientation in the base frame. If `turn` is given, this is the orientation from which it turns. If
+  /// `approach` is given, this member is not used.
   Eigen::Quaterniond start = Eigen::Quaterniond::Identity();
   /// Rotation vector over time [rad, base frame]: the orientation is exp(turn(t)) start. Null: the
   /// orientation stays at `start`, unless there is an `approach`.

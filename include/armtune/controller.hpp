@@ -118,9 +118,10 @@ struct ControllerKind {
   std::function<void(const Robot&, std::span<const double> q, Gains&)> start = {};
 };
 
-/// Adds a kind of controller. Call it before anything is loaded and while nothing is simulated. Throws
-/// InputError if the name of the kind or of a gain is taken or not allowed, if `make` is empty, if a gain's
-/// default or search factors are out of range, or if `uses` names a gain that does not belong to a law.
+/// Adds a kind of controller. Call it before any gains, scenario or study is loaded, and while nothing is
+/// simulated. Throws InputError if the name of the kind or of a gain is taken or not allowed, if `make` is
+/// empty, if a gain's default or search factors are out of range, or if `uses` names a gain that does not
+/// belong to a law.
 void register_controller(const ControllerKind& kind);
 
 /// Returns the inertia that each joint moves at q (n) while the others are free, 1 / (M^-1)_ii [kg m^2, kg].

@@ -20,7 +20,7 @@ class Error : public std::runtime_error {
 /// The place of an error in the input. Members that are not known are empty or 0. If there is no file, the
 /// input was passed to a function, and `key` is the name of the argument.
 struct InputPlace {
-  std::string file = {};  ///< path as given by the user, or in a file of the user
+  std::string file = {};  ///< path as the user gave it, or as it stands in a file of the user
   long line = 0;          ///< counted from 1
   /// In YAML a key path such as "targets/1/center", in CSV the name of the column. In a URDF the name of a
   /// link or joint with its property, such as "elbow_joint/effort". If a robot YAML gives a value that does

@@ -25,7 +25,8 @@ enum class GainsFormat {
 /// The gains of one controller for one arm. It is a value: copies are independent.
 class Gains {
  public:
-  /// Reads bundled gains by name, or a gains file by path, for that arm. Throws InputError.
+  /// Reads bundled gains by name, or a gains file by path. robot: the arm that the gains are for. Throws
+  /// InputError.
   static Gains load(const std::string& name_or_path, const Robot& robot);
 
   Gains(const Gains& other);

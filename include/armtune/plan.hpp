@@ -27,7 +27,7 @@ struct PlanLimit {
   std::string limit = {};  ///< "velocity", "torque", "gaze", "distance to ..."
   std::string part = {};   ///< the joint or axis
   double used = 0.0;       ///< largest used fraction of the limit over all times; 1: at the limit
-  double time = 0.0;       ///< time of this largest use [s]; NaN: at a knot, where no time is stored
+  double time = 0.0;       ///< time of this largest use [s]; NaN if it is at a knot
   bool binds = false;      ///< true if the limit restricts the motion somewhere
 };
 

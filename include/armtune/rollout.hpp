@@ -27,7 +27,7 @@ struct SimulateOptions {
   Engine engine = Engine::kSimbody;
   std::string stepper = "midpoint";  ///< midpoint, semi_implicit_euler, rk4 or reference
   int workers = 1;                   ///< threads; results do not depend on it
-  /// Control periods per row of the recording; 0: no recording, which a run with a folder needs.
+  /// Control periods per row of the recording; 0: no recording. A run with a folder must have a recording.
   int record_every = 5;
   double deadline = 0.0;  ///< wall-clock limit of a rollout [s]. 0: none; in simulate_sets 20 s plus twice
                           ///< its simulated duration
@@ -50,7 +50,7 @@ class Rollout {
   /// Returns one metric. Throws InputError if there is no such metric.
   double metric(const std::string& name) const;
   /// Returns the arm's own limits that were exceeded, each in one sentence, the earliest first. There is no
-  /// value if the limits were not observed. This is so in results of simulate_sets, for random arms, and in
+  /// value if the limits were not observed. They are not observed by simulate_sets, for random arms, and in
   /// the rollouts that an objective of your own receives. In these cases, use metrics such as
   /// "joint_velocity/max_ratio".
   const std::optional<std::vector<std::string>>& broken_limits() const { return broken_limits_; }
@@ -83,9 +83,9 @@ struct Simulated {
 
 /// Simulates every scenario under these gains. The results are bit-identical for any number of workers. With
 /// a folder, tasks and robot files are also examined: the verdict then has notes on tasks that no gains can
-/// complete, and lists implausible numbers among its assumptions. Both are warnings of the Watch too. Throws
-/// InputError if the gains are not valid for the arm of a scenario, if two scenarios have the same name, or
-/// if the folder is in use; FailedError if a file cannot be written.
+/// complete, and lists implausible numbers among its assumptions. Both are also reported as warnings to the
+/// Watch. Throws InputError if the gains are not valid for the arm of a scenario, if two scenarios have the
+/// same name, or if the folder is in use; FailedError if a file cannot be written.
 Simulated simulate(const std::vector<Scenario>& scenarios, const Gains& gains,
                    const SimulateOptions& options = {});
 

@@ -35,22 +35,23 @@ struct StudyInputs {
 
 /// The options of Study::from_controllers, as those of the command `armtune init`.
 struct ControllerStudyOptions {
-  /// Folder for the files of the study, which must be given. It is new, or has exactly these files already.
+  /// Folder for the files of the study; required. It must be new, or contain exactly these files already.
   std::string folder = {};
   /// Without a parameter file: kind of controller, such as "position_streaming". Its start gains are computed
   /// from the arm, and `rate` must be given.
   std::string controller = {};
   std::string node = {};    ///< name of the controller in a file with several
-  std::string distro = {};  ///< distribution of ROS: jazzy, humble or noetic; empty: by the file's form
+  std::string distro = {};  ///< distribution of ROS: jazzy, humble or noetic; empty: depends on the file
   double rate = 0.0;        ///< control rate [Hz]; 0: that of the file
   double speed = 1.0;       ///< factor on the speed of the motions
   bool degrees = false;     ///< true: angles in CSV files are in degrees, not in radians
   /// Largest stiffness of an impedance controller [N m/rad, N/m]: one number, or one for each joint. For a
-  /// task of the tool: two, for translations and rotations, or six. Empty: the stiffness is not tuned.
+  /// task of the tool: two numbers, for translations and rotations, or six. Empty: the stiffness is not
+  /// tuned.
   std::vector<double> max_stiffness = {};
   int workers = 1;  ///< threads that simulate the start gains
-  /// Result of motion_planner() in plan.hpp. Null: refuses files of joint positions without times, and files
-  /// of waypoints of the tool for a controller that follows joints.
+  /// Result of motion_planner() in plan.hpp. Null: files of joint positions without times are refused. So are
+  /// files of waypoints of the tool if the controller follows joint motions.
   std::shared_ptr<const internal::MotionPlanner> planner = {};
   Watch watch = {};  ///< warnings: the assumptions that were made
 };

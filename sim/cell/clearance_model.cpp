@@ -54,12 +54,12 @@ ContactPair ClearanceModel::pair(Clearance of, std::size_t solid, std::size_t ot
   return {of, solid, other, levers(*robot_, moved.placed, moved.body, first)};
 }
 
-bool ClearanceModel::is_free_at(unsigned fewest, const ContactPair& pair) const {
+bool ClearanceModel::is_free_at(unsigned fewest, const ContactPair& pair, std::vector<Poses>& sampled) const {
   unsigned free = 0;
-  Poses poses;
   for (unsigned sample = 0; sample < kPositions && free < fewest; ++sample) {
-    forward_kinematics(robot_->chain, sample_position(*robot_, sample), poses);
-    if (distance(pair, poses, Vec3::Zero()).distance > 0.0) ++free;
+    if (sample == sampled.size())
+      forward_kinematics(robot_->chain, sample_position(*robot_, sample), sampled.emplace_back());
+    if (distance(pair, sampled[sample], Vec3::Zero()).distance > 0.0) ++free;
   }
   return free >= fewest;
 }
@@ -67,11 +67,12 @@ bool ClearanceModel::is_free_at(unsigned fewest, const ContactPair& pair) const 
 void ClearanceModel::add_self_pairs() {
   const auto& solids = arm_.solids;
   std::vector<LinkPair> left_out;
+  std::vector<Poses> sampled;
   for (std::size_t b = 0; b < solids.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
       if (solids[a].body == solids[b].body) continue;
       const ContactPair both = pair(Clearance::kSelf, b, a);
-      if (solids[b].body - solids[a].body > 1 && is_free_at(kFewest, both)) {
+      if (solids[b].body - solids[a].body > 1 && is_free_at(kFewest, both, sampled)) {
         pairs_.push_back(both);
       } else {
         left_out.push_back({solids[a].link, solids[b].link});
@@ -97,12 +98,13 @@ void ClearanceModel::add_cell_pairs() {
 
 void ClearanceModel::add_floor_pairs() {
   if (!cell_.floor) return;
+  std::vector<Poses> sampled;
   for (std::size_t s = 0; s < arm_.solids.size(); ++s) {
     const int body = arm_.solids[s].body;
     if (body < 0) continue;
     const ContactPair both = pair(Clearance::kFloor, s, 0);
     // The first link may always touch the floor on which the arm is mounted. It is then not checked.
-    if (body > 0 || is_free_at(1, both)) pairs_.push_back(both);
+    if (body > 0 || is_free_at(1, both, sampled)) pairs_.push_back(both);
   }
 }
 

@@ -60,9 +60,10 @@ class ClearanceModel {
   /// part of the cell, base frame [m]; used only for pairs of the kind kCell.
   Closest distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const;
 
-  /// Returns the most by which the distance of a pair can be smaller between two times than at the nearer of
-  /// them [m], if the joints keep their velocity limits. period: the time between them [s]. Motion of parts
-  /// of the cell comes on top, by at most half of the way that a part moves in this time.
+  /// Distances are computed only at certain times, which are `period` [s] apart. Returns an upper bound [m]
+  /// for all pairs of how far a distance can fall between two such times below its smaller value at both of
+  /// them. The bound assumes that the joints keep their velocity limits and that the cell rests. If a part of
+  /// the cell moves, add half of the way that it moves in a period.
   double most_unseen(double period) const;
 
   /// Returns the name of a pair, such as "forearm_link and table".
@@ -73,7 +74,8 @@ class ClearanceModel {
   void add_cell_pairs();
   void add_floor_pairs();
   /// Tests 200 fixed joint positions. True if the two bodies do not touch at `fewest` or more of them.
-  bool is_free_at(unsigned fewest, const ContactPair& pair) const;
+  /// sampled: the arm's poses at the first of these positions. Poses that are needed and missing are added.
+  bool is_free_at(unsigned fewest, const ContactPair& pair, std::vector<Poses>& sampled) const;
   ContactPair pair(Clearance of, std::size_t solid, std::size_t other) const;
 
   std::shared_ptr<const RobotModel> robot_;

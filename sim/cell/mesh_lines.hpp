@@ -17,8 +17,8 @@ class MeshLines {
   /// Moves to the next line that has a word. Returns false at the end of the text.
   bool next();
 
-  /// Returns the words of the current line. There are at least one and at most kMostWords: a longer line is
-  /// cut.
+  /// Returns the words of the current line. There is at least one word, and there are at most kMostWords:
+  /// further words of the line are left out.
   const std::vector<std::string_view>& words() const { return words_; }
   /// Returns the number of the current line, from 1.
   long line() const { return line_; }
@@ -33,10 +33,10 @@ class MeshLines {
   long line_ = 0;
 };
 
-/// Returns the finite number that the whole word is, rounded to a float; nothing for any other word.
+/// Returns the number, rounded to a float, if the whole word is a finite number; otherwise nothing.
 std::optional<float> coordinate(std::string_view word);
 
-/// Appends three coordinates, which are the words 1 to 3 of a line. Returns false if one of them is missing
+/// Appends three coordinates, which follow the first word of a line. Returns false if one of them is missing
 /// or is not a finite number.
 bool append_point(const std::vector<std::string_view>& words, std::vector<float>& coordinates);
 

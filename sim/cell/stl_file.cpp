@@ -88,7 +88,7 @@ Mesh text_stl(std::string_view text, std::size_t most) {
     const auto line = stl_line(lines.words().front(), expected);
     if (!line) {
       return refused_mesh(
-          lines.at_line(fmt::format("{} where '{}' must follow", shown_word(lines.words().front()),
+          lines.at_line(fmt::format("it has {} where '{}' must follow", shown_word(lines.words().front()),
                                     kStlWords[static_cast<std::size_t>(expected)])));
     }
     const bool is_vertex = *line >= StlLine::kVertex1 && *line <= StlLine::kVertex3;

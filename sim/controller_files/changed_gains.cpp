@@ -86,7 +86,7 @@ std::vector<Change> changes_of(const std::vector<PlacedGain>& now, const std::ve
     if (at == nullptr || !at->has_place()) continue;
     const bool differs = now[k].value != wanted[k].value;
     changes.push_back({at, differs, wanted[k].value, differs ? yaml::decimal(wanted[k].value) : at->text,
-                       now[k].name, now[k].same_place});
+                       words(now[k].name), now[k].same_place});
   }
   std::stable_sort(changes.begin(), changes.end(),
                    [](const Change& a, const Change& b) { return a.at->begin < b.at->begin; });
@@ -114,11 +114,12 @@ void require_one_change(const std::vector<Change>& changes, std::size_t from, st
   for (std::size_t k = from; k < to; ++k) {
     places += changes[k].same_place ? 0.0 : 1.0;
     if (std::abs(changes[k].value - change.value) <= rounding * std::abs(change.value)) continue;
-    parameters.fail(change.at->line,
-                    fmt::format("{} and {} are one number of the file, so they cannot become different; link "
-                                "them in the study, or write a number for each of them in place of the YAML "
-                                "alias or of the list of gains in a map",
-                                change.gain, changes[k].gain));
+    parameters.fail(
+        change.at->line,
+        fmt::format("the file has one common number for {} and {}, so they cannot become different; "
+                    "link them in the study, or give each its own number instead of a YAML alias, "
+                    "or of a list of gains in a map",
+                    change.gain, changes[k].gain));
   }
   if (change.differs && uses.of(*change.at) != places) {
     parameters.fail(change.at->line,

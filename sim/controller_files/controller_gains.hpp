@@ -10,15 +10,15 @@
 
 namespace armtune::internal {
 
-/// Returns the names of armtune's controllers that follow joint motions by gains of their own.
+/// Returns the names of armtune's controllers that follow joint motions and have gains of their own for this.
 std::vector<std::string> joint_motion_controllers();
 
-/// Returns the names of all controllers that follow motions by gains of their own: those of joint motions,
-/// and cartesian_impedance, which follows paths of the tool.
+/// Returns the names of the same controllers, and also that of cartesian_impedance, which follows paths of
+/// the tool with gains of its own.
 std::vector<std::string> motion_controllers();
 
 /// Returns gains of one of motion_controllers() for n joints, with its defaults. Gains of the states that
-/// track joints or avoid obstacles are 0: a joint motion needs the controller's own gains alone.
+/// track joints or avoid obstacles are 0, because a joint motion needs only the controller's own gains.
 Gains joint_motion_gains(const std::string& kind, Eigen::Index n);
 
 /// Returns the gains for an arm with these joints, in their order (joint_trajectory_file.hpp,

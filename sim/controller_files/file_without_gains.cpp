@@ -25,10 +25,11 @@ bool commands_positions(const RosController& controller) {
 /// Returns what can be done about a joint trajectory controller without gains.
 std::string advice_for(const RosController& controller) {
   if (commands_positions(controller))
-    return "The robot's own loops follow its positions, so the file has nothing to tune. To tune how a robot "
-           "follows streamed positions, give --controller position_streaming --rate HZ instead of this file";
+    return "The controller commands positions, which the robot's own loops follow, so it has no gains to "
+           "tune. To tune how a robot follows streamed positions, give --controller position_streaming "
+           "--rate HZ instead of this file";
   if (are_simulated(commanded_interfaces(controller), controller.ros2))
-    return "Give it start gains, 'gains: {JOINT: {p: NUMBER, i: NUMBER, d: NUMBER}}'";
+    return "Give start gains in the file: 'gains: {JOINT: {p: NUMBER, i: NUMBER, d: NUMBER}}'";
   return "armtune simulates such a controller only with gains, and with effort commands alone or velocity "
          "commands alone";
 }

@@ -49,11 +49,12 @@ const PlacedValue* next_value(const PlacedValue& from, std::string_view& path,
   for (const yaml::PlacedEntry& entry : from.entries) {
     if (!fits(entry.key)) continue;
     if (found != nullptr)
-      fail(controller, std::string(path),
-           fmt::format("two keys of the file, '{}' and '{}', fit the place '{}' of the map; a place must fit "
-                       "one key alone, so rename one of them in the file",
-                       used, entry.key, path),
-           fmt::format("{}, {}", used, entry.key), "one key");
+      fail(
+          controller, std::string(path),
+          fmt::format("the entry '{2}' of the map matches two keys of the file, '{0}' and '{1}', but it must "
+                      "match one; rename one of them in the file",
+                      used, entry.key, path),
+          fmt::format("{}, {}", used, entry.key), "one key");
     found = entry.value.get();
     used = entry.key;
   }
@@ -132,8 +133,8 @@ void for_each_number(const RosController& controller, const std::string& file, c
     if (count != target.count)
       reader.fail(
           value->line,
-          fmt::format("'{}' has {} number{}, but {} has {}; bind a list of them, or each number alone, such "
-                      "as '{}/{}'",
+          fmt::format("'{}' has {} number{}, but {} has {}; bind a list of the same length, or each number "
+                      "of the gain alone, such as '{}/{}'",
                       place.path, count, count == 1 ? "" : "s", place.gain, target.count, target.field->name,
                       component_names(*target.field, joints).front()),
           fmt::to_string(count), fmt::to_string(target.count));
@@ -164,9 +165,9 @@ void add_places(const std::string& path, const yaml::Node& node, std::vector<Gai
   for (std::string& gain : gains) places.push_back({path, std::move(gain), factor});
 }
 
-std::string name_of(const GainField& field, std::size_t k, const std::vector<std::string>& joints) {
+GainName name_of(const GainField& field, std::size_t k, const std::vector<std::string>& joints) {
   const std::vector<std::string> parts = component_names(field, joints);
-  return parts.size() == 1 ? std::string(field.name) : fmt::format("{} of {}", field.name, parts[k]);
+  return {std::string(field.name), parts.size() == 1 ? "" : parts[k]};
 }
 
 }  // namespace
@@ -237,7 +238,7 @@ Gains mapped_gains(const RosController& controller, const std::string& file,
                     if (!given.emplace(field.name, k).second)
                       reader.fail(value.line,
                                   fmt::format("the map gives {} twice, the second time at '{}'",
-                                              name_of(field, k, joints), place.path),
+                                              words(name_of(field, k, joints)), place.path),
                                   place.path, "one place for each number");
                     numbers(gains, field)[k] =
                         place.factor * reader.finite(value, fmt::format("'{}'", place.path));
@@ -249,16 +250,16 @@ Gains mapped_gains(const RosController& controller, const std::string& file,
                                        [&field](const auto& other) { return other.first == field.name; });
     std::vector<std::string> without;
     for (std::size_t k = 0; k < numbers(gains, field).size(); ++k) {
-      if (!given.contains({field.name, k})) without.push_back(name_of(field, k, joints));
+      if (!given.contains({field.name, k})) without.push_back(words(name_of(field, k, joints)));
     }
     if (has_value && without.empty())
       fail(controller, field.name,
-           fmt::format("{} is bound to the file and has a value here as well; remove one of both",
+           fmt::format("{} is bound to the file and has a value here as well; remove one of the two",
                        field.name));
     if (!has_value && !without.empty() &&
         (field.search != SearchRange::kNone || without.size() < numbers(gains, field).size()))
       fail(controller, field.name,
-           fmt::format("no value of {}; bind it to a number of the file, or give '{}: VALUE' here",
+           fmt::format("there is no value for {}; bind it to a number of the file, or give '{}: VALUE' here",
                        fmt::join(without, ", "), field.name),
            "", fmt::format("{}", fmt::join(without, ", ")));
   }
@@ -270,18 +271,16 @@ std::vector<PlacedGain> placed_mapped_gains(const RosController& controller, con
   std::vector<PlacedGain> placed;
   const GainPlace* last = nullptr;  // gains of one place follow each other
   bool same_place = false;
-  for_each_number(
-      controller, file, gains, joints,
-      [&](const ParameterReader&, const PlacedValue& value, const GainField& field, std::size_t k,
-          const GainPlace& place) {
-        if (last != &place) same_place = last != nullptr && last->path == place.path;
-        last = &place;
-        const std::vector<std::string> parts = component_names(field, joints);
-        placed.push_back(
-            {&value, name_of(field, k, joints), numbers(gains, field)[k] / place.factor,
-             parts.size() == 1 ? std::string(field.name) : fmt::format("{}/{}", field.name, parts[k]),
-             place.factor, same_place});
-      });
+  for_each_number(controller, file, gains, joints,
+                  [&](const ParameterReader&, const PlacedValue& value, const GainField& field, std::size_t k,
+                      const GainPlace& place) {
+                    if (last != &place) same_place = last != nullptr && last->path == place.path;
+                    last = &place;
+                    const GainName name = name_of(field, k, joints);
+                    placed.push_back({&value, name, numbers(gains, field)[k] / place.factor,
+                                      name.part.empty() ? name.gain : name.gain + "/" + name.part,
+                                      place.factor, same_place});
+                  });
   return placed;
 }
 

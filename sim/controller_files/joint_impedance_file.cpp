@@ -114,13 +114,16 @@ std::vector<PlacedGain> placed_impedance_gains(const RosController& controller, 
   for (const auto& [key, gain] : kLists) {
     const PlacedValue& list = *controller.parameters->find(key);
     for (std::size_t k = 0; k < joints.size(); ++k)
-      placed.push_back({list.items[k].value.get(), fmt::format("{} of {}", key, joints[k]),
+      placed.push_back({list.items[k].value.get(),
+                        {key, joints[k]},
                         own(gains, gain)[static_cast<Eigen::Index>(k)],
                         fmt::format("{}/{}", gain, joints[k])});
   }
   if (!controller.ros2)
-    placed.push_back({controller.parameters->find(kCoriolisFactor), kCoriolisFactor,
-                      own(gains, "joint_impedance_coriolis_factor")[0], "joint_impedance_coriolis_factor"});
+    placed.push_back({controller.parameters->find(kCoriolisFactor),
+                      {kCoriolisFactor, ""},
+                      own(gains, "joint_impedance_coriolis_factor")[0],
+                      "joint_impedance_coriolis_factor"});
   return placed;
 }
 

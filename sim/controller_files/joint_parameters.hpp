@@ -11,8 +11,8 @@ namespace armtune::internal {
 /// The keys of the PID gains in a joint's map in the file. jtc_name() converts each key to armtune's name.
 inline constexpr std::array kGainNames = {"p", "i", "d"};
 
-/// Returns the name of a joint without the prefix that a launch file or xacro puts in its place, such as
-/// `$(arg prefix)`, `$(var prefix)` or `${prefix}`.
+/// Returns the name of a joint without a placeholder at its beginning, such as `${prefix}`, `$(arg prefix)`
+/// or `$(var prefix)`. A launch file or xacro replaces the placeholder by a prefix.
 std::string without_prefix(const std::string& key);
 
 class JointParameters : public ParameterReader {

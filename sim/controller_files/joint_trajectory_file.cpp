@@ -55,8 +55,8 @@ class Reader : public JointParameters {
              joint, fmt::format("one of: {}", fmt::join(joints, ", ")));
       if (std::erase(missing, joint) == 0)
         fail(own->line,
-             fmt::format("'{}' is the second entry for {}, as a launch file's prefix does not count; "
-                         "give a file for one arm",
+             fmt::format("'{}' is the second entry for {}, because prefixes that launch files put before "
+                         "joint names are ignored; give a file for one arm",
                          key, joint),
              key);
     }
@@ -110,7 +110,7 @@ class Reader : public JointParameters {
     if (lower == 0.0 && upper != 0.0) {
       fail(line,
            fmt::format("the integral of {} is clamped to [{}, {}]; armtune cannot simulate a lower bound "
-                       "of 0 below an upper one above 0; give i_clamp_min below 0",
+                       "of 0 with an upper bound above 0; give i_clamp_min below 0",
                        joint, lower, upper),
            fmt::format("[{}, {}]", lower, upper), "i_clamp_min below 0");
     }
@@ -273,16 +273,17 @@ std::vector<PlacedGain> placed_trajectory_gains(const RosController& controller,
       return fmt::format("{}/{}", jtc_name(gains.controller, gain), joint);
     };
     const auto add = [&](const char* key, double value) {
-      placed.push_back(
-          {parameters.of_joint(joint, key), fmt::format("{} of {}", key, joint), value, entry(key)});
+      placed.push_back({parameters.of_joint(joint, key), {key, joint}, value, entry(key)});
     };
     for (const char* name : kGainNames) add(name, jtc_gain(gains, name)[place]);
     const double clamp = jtc_gain(gains, "i_clamp")[place];
     add("i_clamp", clamp);
     add("i_clamp_max", clamp);
     add("i_clamp_min", -jtc_lower_i_clamp(gains, place));
-    placed.push_back({parameters.feed_forward(joint), "feed-forward of " + joint,
-                      jtc_gain(gains, "ff_velocity_scale")[place], entry("ff_velocity_scale")});
+    placed.push_back({parameters.feed_forward(joint),
+                      {"feed-forward", joint},
+                      jtc_gain(gains, "ff_velocity_scale")[place],
+                      entry("ff_velocity_scale")});
   }
   return placed;
 }

@@ -27,8 +27,9 @@ bool jumps_between_points(const RosController& controller);
 ///   - a parameter requires something that armtune does not simulate: an upper clamp of the integral without
 ///     a lower one, anti-windup of some joints only, angle wraparound under Jazzy, or open-loop control by
 ///     velocities,
-///   - a joint has an integral gain and no clamp, and this means a clamp of 0, or the distribution is not
-///     given and distributions differ in its meaning.
+///   - a joint has an integral gain but no clamp, and the distribution takes a missing clamp for 0,
+///   - a joint in a ROS 2 file has an integral gain but no clamp, and the distribution is not given: Humble
+///     takes a missing clamp for 0, and Jazzy for no clamp.
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);
 

@@ -20,7 +20,9 @@ std::optional<ParameterFile> read_parameter_file(const std::string& path, const 
     if (!node.empty())
       throw InputError(
           InputPlace{path},
-          fmt::format("a node ('{}') cannot be named with a map; write the places in the map", node));
+          fmt::format("a node ('{}') cannot be named together with a map of gains; leave it out, because the "
+                      "map says where the gains are",
+                      node));
     const GainMap map = gain_map(text, path);
     text = read_input_file(map.file, yaml::kMaxBytes, "a YAML file");
     ParameterFile file{map.file, text, with_text(map.controller, text, map.file)};
@@ -63,8 +65,9 @@ void set_distro(ParameterFile& file, RosDistro distro) {
   if (controller.ros2 != rules.ros2)
     throw InputError(
         InputPlace{file.path},
-        fmt::format("{} has parameters of ROS {}, but the gains follow {}; name a distribution of ROS {}",
-                    controller.name, controller.ros2 ? 2 : 1, rules.title, controller.ros2 ? 2 : 1));
+        fmt::format(
+            "{} has parameters of ROS {}, but the given distribution is {}; give a distribution of ROS {}",
+            controller.name, controller.ros2 ? 2 : 1, rules.title, controller.ros2 ? 2 : 1));
   controller.distro = distro;
 }
 

@@ -17,10 +17,11 @@ struct ParameterFile {
   RosController controller;
 };
 
-/// Reads the file at `path`, or the file that it binds gains to if it is a map. node: name of the controller
-/// in a ROS parameter file; empty: the only one for an arm with these joints (chosen_controller). distro: see
-/// set_distro. Returns nothing if it is neither a map nor a ROS parameter file with controllers. Throws
-/// InputError if a file cannot be read, or has no such controller, or if the distribution does not fit it.
+/// Reads the file at `path`. If that is a map, also reads the file with the numbers that the map binds to
+/// gains. node: name of the controller in a ROS parameter file; empty: the only one for an arm with these
+/// joints (chosen_controller). distro: see set_distro. Returns nothing if it is neither a map nor a ROS
+/// parameter file with controllers. Throws InputError if a file cannot be read, or has no such controller, or
+/// if the distribution does not fit it.
 std::optional<ParameterFile> read_parameter_file(const std::string& path, const std::string& node = {},
                                                  std::optional<RosDistro> distro = {},
                                                  const std::vector<std::string>& joints = {});
@@ -37,19 +38,20 @@ ParameterFile required_parameter_file(const std::string& path, const std::string
 ParameterFile parameter_file_for(const Gains& gains, const std::string& path, const std::string& node,
                                  const std::vector<std::string>& joints);
 
-/// Sets the distribution of ROS whose rules the controller follows. Throws InputError if it is not a joint
-/// trajectory controller with parameters of that version of ROS.
+/// Sets the distribution of ROS whose rules the controller follows. Throws InputError if the controller is
+/// not a joint trajectory controller, or if its parameters are not those of that version of ROS.
 void set_distro(ParameterFile& file, RosDistro distro);
 
-/// Returns the files that gains are read from: `path`, and the file that it binds gains to if it is a map.
-/// Throws InputError if `path` cannot be read, or is a map with an error.
+/// Returns the files that gains are read from: `path` and, if that is a map, the file with the numbers that
+/// the map binds to gains. Throws InputError if `path` cannot be read, or is a map with an error.
 std::vector<std::string> files_of_gains(const std::string& path);
 
 /// Returns true if the file is a map, or a ROS parameter file with controllers. Throws InputError if it
 /// cannot be read.
 bool is_parameter_file(const std::string& path);
 
-/// Returns the same controller with the values of a changed text of its file. Throws InputError.
+/// Returns the same controller, with its parameters read again from `text`, the changed text of its file.
+/// Throws InputError.
 RosController with_text(const RosController& controller, const std::string& text, const std::string& file);
 
 }  // namespace armtune::internal

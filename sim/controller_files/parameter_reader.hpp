@@ -16,8 +16,8 @@ class ParameterReader {
 
   const RosController& controller() const { return controller_; }
 
-  /// Throws InputError "FILE:LINE: CONTROLLER: what". Its key is the name of the controller. value, limit:
-  /// see InputError.
+  /// Throws InputError "FILE:LINE: CONTROLLER: what". The key of the error is the name of the controller.
+  /// value, limit: see InputError.
   [[noreturn]] void fail(int line, const std::string& what, const std::string& value = {},
                          const std::string& limit = {}) const;
 

@@ -68,10 +68,10 @@ std::vector<RosController> controllers_without_gains(const yaml::Placed& root, c
                                             const std::string& name);
 
 /// Returns the controller of that name. Without a name, returns the only joint trajectory controller of the
-/// file that can be tuned; if it has none, the only joint impedance controller that can be tuned. These are
-/// the controllers that armtune simulates. If `joints`, the names of the arm's joints, is not empty, they
-/// must also have gains for these joints. Throws InputError if no controller or more than one fits. The
-/// message lists the controllers.
+/// file that armtune can simulate. If there is none, returns the only joint impedance controller that armtune
+/// can simulate. If `joints`, the names of the arm's joints, is not empty, controllers without gains for
+/// these joints are left out. Throws InputError if no controller or more than one remains. The message lists
+/// the controllers.
 RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,
                                 const std::string& name = {}, const std::vector<std::string>& joints = {});
 

@@ -1,11 +1,11 @@
 #pragma once
 // Collects the parameters that each node of ROS 2 receives from a parameter file. A node receives the
-// parameters below its own name, and those below every wildcard that matches its name. With dots, a name such
-// as `gains.elbow.p` is the same parameter as p in nested maps.
+// parameters below its own name, and those below every wildcard that matches its name. A name with dots, such
+// as `gains.elbow.p`, is the same parameter as p in nested maps.
 //
 // Source: parse.c of rcl_yaml_param_parser (rcl, commit 07a92fa) and parameter_map_from of rclcpp (commit
 // 0f42d78), as in ROS 2 Humble and Jazzy. Node names are applied in the order in which the file first has
-// them. A later value replaces an earlier one, whichever of the two names is more specific.
+// them. A later value replaces an earlier one, even if the earlier node name is more specific.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 // Functions that all readers of CSV files share. They read the header row, find columns by name, convert
-// cells to numbers and throw the errors of malformed rows.
+// cells to numbers and throw the errors for malformed rows.
 
 #include <cstddef>
 #include <optional>

@@ -28,7 +28,8 @@ class NumberTable {
   const std::vector<std::string>& header() const { return header_; }
   /// Returns the index of a column that was kept.
   std::optional<std::size_t> find(std::string_view column) const;
-  /// Returns the same index. Throws InputError naming file and column if there is none.
+  /// Returns the index of a column that was kept. Throws InputError naming file and column if there is none
+  /// of that name.
   std::size_t column(std::string_view name) const;
   /// Returns the numbers of a column, one per row; NaN where the cell is empty.
   const std::vector<double>& numbers(std::size_t column) const { return values_[column]; }

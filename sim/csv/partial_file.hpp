@@ -6,15 +6,16 @@
 
 namespace armtune::internal {
 
-/// A temporary file beside its place, which it takes when it is complete:
+/// A temporary file in the folder of `path`. When it is complete, replace() moves it to `path`:
 ///
 ///     PartialFile file(path);
 ///     file.write(first);
 ///     file.write(second);
 ///     file.replace();
 ///
-/// Without the last call nothing is left, and a file that was at the path stays as it was. Every function
-/// throws InputError with path and reason if it fails. The message names the path as the user did.
+/// Without the last call, the temporary file is deleted, and a file that was at the path stays as it was.
+/// Every function throws InputError with path and reason if it fails. The message names the path as the user
+/// did.
 class PartialFile {
  public:
   explicit PartialFile(const std::string& path);

@@ -9,7 +9,9 @@
 // The caller calls start() once for an arm. In every control period it calls these functions in this order:
 // sense, measure, seen, follow_task or follow_joints, follow_plan if there is a plan, resolve, torque, adapt,
 // observe, observed, push, step, moved. If the law commands drives, the caller computes their torques for
-// each arm. It then calls weigh after torque, and push, step and moved once in every period of the drives.
+// each arm. After torque it then calls weigh, which computes the torques that hold the arms' weights, and it
+// calls push, step and moved once in every period of the drives.
+//
 // The arguments are structs of pointers, because code that is compiled for one kind of processor must not
 // share an inline function with other code (scripts/check-lanes).
 

@@ -1,6 +1,6 @@
 #pragma once
-// Creates simulators of several arms at the same time (SIMD). There is one function per register width. Each
-// arm has one lane, that is, one element of every vector register.
+// Creates simulators that each simulate several arms at once (SIMD). There is one function per register
+// width. Each arm has one lane, that is, one element of every vector register.
 
 #include <memory>
 

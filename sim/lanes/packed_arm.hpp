@@ -2,9 +2,9 @@
 // Implements ArmLanes (arm_lanes.hpp). It computes W arms at the same time in SIMD vectors of W numbers, one
 // number per arm.
 //
-// Rule: each file that includes this header is compiled for one kind of processor, and has a W of its own.
-// Otherwise the linker could merge equal templates of two files, and one kind of processor would run code
-// that was compiled for another. scripts/check-lanes checks the rule.
+// Rule: each file that includes this header is compiled for one kind of processor, and no two of these files
+// use the same W. Otherwise the linker could merge equal templates of two files, and one kind of processor
+// would run code that was compiled for another. scripts/check-lanes checks the rule.
 
 #include "core/common/pack.hpp"
 #include "core/control/laws/make_arm_law.hpp"

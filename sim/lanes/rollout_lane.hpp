@@ -1,5 +1,6 @@
 #pragma once
-// Private to rollout_lanes.cpp and lane_drives.cpp: the rollout of one lane. Its sensors, its controller
+// Private to rollout_lanes.cpp and lane_drives.cpp: the rollout of one lane, that is, of one of the arms that
+// are simulated at once. Its sensors, its controller
 // except for the law, and its drives are computed arm by arm.
 
 #include "core/control/laws/arm_torque_law.hpp"
@@ -10,7 +11,7 @@
 namespace armtune::internal {
 
 struct RolloutLanes::Lane {
-  /// law: the one of the job's gains.
+  /// law: the control law of the job's gains.
   Lane(LaneJob given, ArmLawKind law)
       : job(std::move(given)),
         logic(job.scenario->scenario.robot, with_goal(job.gains, job.scenario->scenario),

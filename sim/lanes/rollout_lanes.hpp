@@ -70,8 +70,8 @@ class RolloutLanes {
   void begin_drives();
   void act();
   void move();
-  /// Begins the period k of the drives after the beginning of a control period, in the lanes that move. Ends
-  /// the control period of arms whose velocities are no longer finite; they stop moving.
+  /// Begins the k-th period of the drives in a control period, in the lanes where `moving` is true. Ends the
+  /// control period of arms whose velocities are no longer finite; they stop moving.
   void drive(int k, bool* moving);
   void end(int lane, const Finished& finished);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Bags: files of recorded messages, as topics and bytes.
+// A bag is a file of messages that a robot's programs sent on topics. Here a message is bytes that are not
+// decoded yet.
 
 #include <cstddef>
 #include <cstdint>
@@ -35,16 +36,16 @@ class BagReader {
  public:
   virtual ~BagReader() = default;
 
-  /// The topics met so far, all of them after the last message. Indices do not change; the list can grow with
-  /// next().
+  /// Returns the topics found so far. After the last message, these are all topics. next() can append topics;
+  /// the indices of the others do not change.
   virtual const std::vector<BagTopic>& topics() const = 0;
 
-  /// The next message, or nothing at the end. Throws InputError with the file and the offset where the file
-  /// is damaged.
+  /// Returns the next message, or nothing at the end. Throws InputError with the file and the offset where
+  /// the file is damaged.
   virtual std::optional<BagMessage> next() = 0;
 
-  /// True after the last message if the recording was cut off, as when the recorder was killed: there may
-  /// have been more.
+  /// True after the last message if the file was cut off, for example because the recorder was killed. Later
+  /// messages may then be missing.
   virtual bool unfinished() const { return false; }
 };
 

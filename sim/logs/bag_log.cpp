@@ -34,9 +34,9 @@ void describe(const BagTopic& known, const BagRows::Topic& topic, TopicSummary& 
 
 void note_clock(const BagRows::Topic& topic, const std::string& name, LogSummary& summary) {
   if (!topic.shift || *topic.shift == 0) return;
-  summary.notes.push_back(
-      fmt::format("The stamps of {} are on another clock than the recording; {:.6g} s were added to them.",
-                  name, 1e-9 * static_cast<double>(*topic.shift)));
+  summary.notes.push_back(fmt::format(
+      "The time stamps of {} are from another clock than the recording; {:.6g} s were added to them.", name,
+      1e-9 * static_cast<double>(*topic.shift)));
 }
 
 /// Puts the rows of a topic in the order of time.
@@ -50,7 +50,7 @@ void sort_rows(LogTopic& topic, const std::string& file) {
     if (order[k] <= k + RepairBounds::kWindow) continue;
     throw InputError(
         InputPlace{file, 0, topic.name},
-        fmt::format("the stamps of {} run back at message {}; if the sender was restarted, record "
+        fmt::format("the time stamps of {} jump back at message {}; if the sender was restarted, record "
                     "the parts in separate bags",
                     topic.name, order[k] + 1))
         .with_value(fmt::to_string(order[k] - k),

@@ -17,12 +17,11 @@ namespace armtune::internal {
 LogSummary summarize_bag(BagReader& bag, const MessageDefinitions& definitions, const std::string& file,
                          const LogSelection& selection);
 
-/// Reads the selected topics of a bag. The rows of a topic are put in the order of time if each is moved by
-/// at most RepairBounds::kWindow rows; messages with equal stamps are all kept. Topics without numbers are
-/// left out. Throws InputError as BagReader::next does, and
+/// Reads the selected topics of a bag. The rows of a topic are sorted by time, as long as no row must be
+/// moved by more than RepairBounds::kWindow rows. Of messages with equal stamps, all are kept. Topics without
+/// numbers are left out. Throws InputError as BagReader::next does, and
 ///   - with the file, and the topic as key, if a message of a selected topic cannot be decoded, or if its
-///   time
-///     runs back too far,
+///     time runs back too far,
 ///   - with file and key `--topic` if the bag has no selected topic, or more than kMostLogValues values.
 Log read_bag(BagReader& bag, const MessageDefinitions& definitions, const std::string& file,
              const LogSelection& selection);

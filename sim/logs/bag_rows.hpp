@@ -13,8 +13,8 @@
 
 namespace armtune::internal {
 
-/// Puts the stamps of messages on the recorder's clock. A sender whose clock differs from the recorder's by
-/// more than a minute, such as one in simulated time, is shifted by the difference in its first message.
+/// Converts the stamps of messages to the recorder's clock. A sender whose clock differs from the recorder's
+/// by more than a minute, such as one in simulated time, is shifted by the difference in its first message.
 /// Senders with the same difference get the same shift, so that they stay synchronous.
 class MessageClock {
  public:
@@ -32,7 +32,7 @@ class MessageClock {
 
 class BagRows {
  public:
-  /// What is known of a topic.
+  /// The data of a topic that are known so far.
   struct Topic {
     bool selected = false;
     std::unique_ptr<MessageDecoder>
@@ -59,8 +59,8 @@ class BagRows {
   /// Number of topics that next() has met so far, selected or not.
   std::size_t topics() const { return topics_.size(); }
   const MessageClock& clock() const { return clock_; }
-  /// Throws InputError with the key `--topic`, which names the topics of the bag. Call it if none is
-  /// selected.
+  /// Throws InputError with the key `--topic` and a message that names the topics of the bag. Call it if none
+  /// of them is selected.
   [[noreturn]] void refuse_selection() const;
 
   static constexpr long kMostRefused = 100;

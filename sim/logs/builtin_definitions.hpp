@@ -1,7 +1,7 @@
 #pragma once
 // Definitions of common message types, for bags that hold no schema: rosbag2 stores none in SQLite files
-// before Iron. They have the fields of the published packages common_interfaces, control_msgs, geometry2 and
-// rcl_interfaces, in the same order, without their comments.
+// before ROS 2 Iron. They have the fields of the published packages common_interfaces, control_msgs,
+// geometry2 and rcl_interfaces, in the same order, without their comments.
 
 #include <span>
 #include <string_view>

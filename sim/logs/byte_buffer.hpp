@@ -1,5 +1,5 @@
 #pragma once
-// Builds the records of MCAP files: little-endian numbers, and strings behind their length.
+// Builds the records of MCAP files: little-endian numbers, and strings with their length in front.
 
 #include <algorithm>
 #include <concepts>

@@ -32,10 +32,11 @@ class ByteCursor {
     return little_endian_at<Number>(take(sizeof(Number)).data());
   }
 
-  /// Returns bytes whose number stands before them as 32 bits: a string, a schema's data, an array or a map.
+  /// Reads a byte count of 32 bits, and returns that many bytes after it: a string, a schema's data, an array
+  /// or a map.
   std::span<const std::byte> counted_bytes() { return take(number<std::uint32_t>()); }
 
-  /// The same as text, which shares the memory of the content.
+  /// Does the same, and returns the bytes as text, which shares the memory of the content.
   std::string_view text() {
     const std::span<const std::byte> bytes = counted_bytes();
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};  // bytes as text

@@ -26,9 +26,9 @@ class ByteSource {
   ByteSource(const ByteSource&) = delete;
   ByteSource& operator=(const ByteSource&) = delete;
 
-  /// Returns the next `count` bytes, or all that are left if the file ends before. They stay the next ones.
-  /// The span is valid until the next call of a function that is not const. Throws InputError if the file
-  /// cannot be read.
+  /// Returns the next `count` bytes, or all that are left if the file ends before. It does not move past
+  /// them, so the next call returns the same bytes. The span is valid until the next call of a function that
+  /// is not const. Throws InputError if the file cannot be read.
   std::span<const std::byte> peek(std::size_t count);
 
   /// Moves past bytes that peek() returned; count: at most as many.
@@ -46,7 +46,7 @@ class ByteSource {
   std::uint32_t crc();
   void restart_crc();
 
-  /// True if this is a regular file whose last bytes are these, wherever the reading stands.
+  /// True if this is a regular file whose last bytes are these. Does not move the position of reading.
   bool ends_with(std::span<const std::byte> bytes) const;
 
   /// Returns the path as it was given.

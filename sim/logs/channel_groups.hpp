@@ -18,8 +18,8 @@ struct ChannelGroup {
 ///   - the middle of a path (joint/elbow/position), or its last letter x, y, z or w (force/x),
 ///   - everything but their last or first word, if this names a quantity (elbow_pos, wrist_pos).
 /// Every channel is in exactly one group, and groups are in the order of their first channels. Columns
-/// without names are grouped by their values: if the columns from some k on are the derivatives of the n
-/// columns before, all columns are divided into groups of n.
+/// without names are grouped by their values: if n neighbouring columns are the derivatives of the n columns
+/// before them, all columns are divided into groups of n.
 std::vector<ChannelGroup> group_channels(const TopicSummary& topic);
 
 }  // namespace armtune::internal

@@ -23,8 +23,8 @@ struct ChannelField {
 /// Makes channels when a message first has an element for them.
 class ChannelTree {
  public:
-  /// definition: must outlive this object. most: number of channels, and of places in the tree, that are
-  /// made.
+  /// definition: must outlive this object. most: largest number of channels, and of places in the tree, that
+  /// are made.
   ChannelTree(const MessageDefinition& definition, const std::string& topic, std::size_t most);
 
   /// Returns the fields of the message itself.

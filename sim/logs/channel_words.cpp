@@ -43,7 +43,7 @@ constexpr KnownWord kOthers[] = {
     {"error", Quantity::kOther},      {"errors", Quantity::kOther},      {"contact", Quantity::kOther},
     {"collision", Quantity::kOther},  {"dtau", Quantity::kOther},        {"window", Quantity::kOther},
     {"covariance", Quantity::kOther}, {"ext", Quantity::kOther},         {"external", Quantity::kOther},
-    {"limit", Quantity::kOther},      {"limits", Quantity::kOther},
+    {"limit", Quantity::kOther},      {"limits", Quantity::kOther},      {"ratio", Quantity::kOther},
 };
 
 constexpr std::array kCommandWords = {"desired",   "des",     "target", "command",   "commands",

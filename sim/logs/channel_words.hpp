@@ -1,5 +1,5 @@
 #pragma once
-// What the name of a channel says about it.
+// Recognises in the name of a channel which quantity it is, and in which unit.
 
 #include <string>
 #include <string_view>

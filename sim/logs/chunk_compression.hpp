@@ -1,6 +1,6 @@
 #pragma once
-// Compresses and decompresses the chunks of MCAP files: as they are, as LZ4 frames, or as Zstandard frames.
-// The libraries liblz4 and libzstd stay behind this header.
+// Compresses and decompresses the chunks of MCAP files. A chunk is an LZ4 frame, a Zstandard frame, or not
+// compressed. The libraries liblz4 and libzstd stay behind this header.
 
 #include <cstddef>
 #include <memory>

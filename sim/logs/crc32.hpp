@@ -1,5 +1,5 @@
 #pragma once
-// The checksum CRC-32 of ISO 3309 and zlib, by which MCAP files show that their bytes are whole.
+// The checksum CRC-32 of ISO 3309 and zlib, by which readers of MCAP files detect damaged bytes.
 
 #include <cstddef>
 #include <cstdint>

@@ -34,9 +34,9 @@ class CsvLog {
   /// The first time stamp of the file [s]; 0 if the rows are evenly spaced. Valid after the first row.
   double start() const { return start_; }
 
-  /// Gives the next row. Its time is relative to the first row of the file and may be negative in a repaired
-  /// log. Returns false at the end. Throws InputError with file, line and column as the rows are read, if a
-  /// cell is not a number, and as RowOrder does.
+  /// Sets `row` to the next row. Its time is relative to the first row of the file and may be negative in a
+  /// repaired log. Returns false at the end. Throws InputError with file, line and column if a row cannot be
+  /// read or a cell is not a number. Also throws InputError as RowOrder does.
   bool next(LogRow& row);
   /// What was repaired; complete after the last row.
   const LogRepairs& repairs() const { return order_.repairs(); }

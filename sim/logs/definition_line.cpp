@@ -89,7 +89,7 @@ std::size_t bound_at(std::string_view& text, std::string_view end) {
 void read_shape(std::string_view text, MessageField& field) {
   if (text.empty()) return;
   const auto fail = [&] {
-    throw DefinitionFault(InputFault{.problem = fmt::format("{} is not valid behind a type", shown(text)),
+    throw DefinitionFault(InputFault{.problem = fmt::format("{} is not valid after a type", shown(text)),
                                      .value = std::string(text),
                                      .limit = "[], [N] or [<=N]"});
   };
@@ -140,7 +140,7 @@ std::optional<DeclaredField> parse_definition_line(std::string_view line) {
   if (!is_name(name) || !(line.empty() || line.front() == '=' || line.front() == '#' ||
                           kBlanks.find(line.front()) != std::string_view::npos)) {
     throw DefinitionFault(
-        InputFault{.problem = fmt::format("no name of a field follows the type {}", shown(type)),
+        InputFault{.problem = fmt::format("the type {} is not followed by the name of a field", shown(type)),
                    .value = std::string(name),
                    .limit = "a type and a name"});
   }

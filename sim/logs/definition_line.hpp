@@ -23,7 +23,7 @@ class DefinitionFault : public std::invalid_argument {
   InputFault fault_;
 };
 
-/// A field as its line declares it: the type in it is still a name.
+/// A field as its line declares it. A struct type is given by its name alone.
 struct DeclaredField {
   MessageField field;
   std::string type;  ///< of kStruct: as written, such as "Point" or "geometry_msgs/Point"

@@ -1,5 +1,5 @@
 #pragma once
-// Compares two groups of channels: is the one the derivative, or a multiple, of the other?
+// Compares two groups of channels, to find out whether one is the derivative or a multiple of the other.
 
 #include <optional>
 
@@ -12,7 +12,7 @@ namespace armtune::internal {
 struct GroupRelation {
   double factor = 0.0;       ///< median of the factors of its channels
   double deviation = 0.0;    ///< largest relative deviation of a channel's factor from the median
-  double correlation = 0.0;  ///< smallest of its channels
+  double correlation = 0.0;  ///< smallest correlation of a channel
   bool same_order = true;    ///< false: a channel fits better to another channel of the other group
 };
 
@@ -21,7 +21,8 @@ struct GroupRelation {
 std::optional<GroupRelation> derivative_relation(const TopicSummary& topic, const ChannelGroup& a,
                                                  const ChannelGroup& b);
 
-/// Compares the channels of `a` with those of `b`; the factor is that from a to b. Returns nothing as above.
+/// Compares the channels of `a` with those of `b`; the factor is that from a to b. Returns nothing in the
+/// same cases.
 std::optional<GroupRelation> multiple_relation(const TopicSummary& topic, const ChannelGroup& a,
                                                const ChannelGroup& b);
 

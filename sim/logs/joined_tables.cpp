@@ -24,7 +24,7 @@ long count_rows(const std::string& path) {
 }  // namespace
 
 JoinedTables::JoinedTables(const std::vector<std::string>& paths) {
-  if (paths.empty()) throw InputError(InputPlace{.key = "FILE"}, "no file of a log is given");
+  if (paths.empty()) throw InputError(InputPlace{.key = "FILE"}, "no log file is given");
   std::vector<long> rows;
   rows.reserve(paths.size());
   for (const std::string& path : paths) {
@@ -48,10 +48,12 @@ void JoinedTables::add(const std::string& path, long rows, long least) {
   const TextTable& table = *part.table;
   if (rows != least) {
     if (rows % least != 0 || table.names().size() != 1 || rows / least > kMostLinesOfRow) {
-      throw InputError(InputPlace{path},
-                       fmt::format("has {} rows, but another of the files has {}; files that are read side "
-                                   "by side have equally many rows, or one column and a multiple of them",
-                                   rows, least))
+      throw InputError(
+          InputPlace{path},
+          fmt::format("has {} rows, but another of the files has {}. Files that are read side by "
+                      "side must have equally many rows; only a file with one column may have a "
+                      "multiple of them",
+                      rows, least))
           .with_value(std::to_string(rows), fmt::format("{} rows", least));
     }
     part.lines_of_row = static_cast<std::size_t>(rows / least);

@@ -1,5 +1,5 @@
 #pragma once
-// Several text tables side by side, as recorders write that have one file for each signal.
+// Reads several text tables side by side. Some recorders write such tables, one file for each signal.
 
 #include <memory>
 
@@ -8,15 +8,15 @@
 
 namespace armtune::internal {
 
-/// Every file gives the columns of the same rows. A file of one column may have a multiple of the rows of the
-/// others: it then holds the values of one row on several lines, and becomes as many columns. A column is
+/// Every file gives some columns of the same rows. A file of one column may have a multiple of the rows of
+/// the others: it then holds the values of one row on several lines, and becomes as many columns. A column is
 /// called by its header. Without a header it is called by its file, with an index if there are several, as in
 /// velocity[0].
 class JoinedTables final : public TableRows {
  public:
-  /// Opens the files. Throws InputError as TextTable does, with the file if its number of rows is not a
-  /// multiple of the smallest number of rows, if it is a multiple and the file has more than one column, or
-  /// if two columns have the same name.
+  /// Opens the files. Throws InputError as TextTable does. Also throws InputError, with the file, if its
+  /// number of rows is not a multiple of the smallest number of rows, if it has more rows than that and more
+  /// than one column, or if two columns have the same name.
   explicit JoinedTables(const std::vector<std::string>& paths);
 
   const std::vector<std::string>& names() const override { return names_; }

@@ -145,7 +145,7 @@ void apply_multiples(const TopicSummary& topic, std::vector<GroupMeaning>& meani
       if (relation->factor < kMultiple) {
         if (a < b)
           b->reasons.push_back(
-              fmt::format("nearly equal to {}: one is the command of the other", a->group.name));
+              fmt::format("nearly equal to {}: one is probably the command for the other", a->group.name));
       } else {
         b->quantity = Quantity::kTorque;
         a->quantity = Quantity::kCurrent;

@@ -1,6 +1,6 @@
 #pragma once
-// Says what the channels of a log look like: positions, velocities, torques and so on, in which unit, and how
-// sure this is. Names, units and laws that the values obey are used.
+// Finds what the channels of a log are (positions, velocities, torques and so on), in which unit, and how
+// sure this is. It uses their names, their units, and laws that the values obey.
 
 #include <string>
 #include <vector>
@@ -37,15 +37,13 @@ struct GroupMeaning {
   double missing_share = 0.0;  ///< largest share of rows without a number in one channel
 };
 
-/// Laws that are used:
+/// Finds what each group of channels is. It uses these laws:
 ///   - velocities are the derivative of positions, and accelerations that of velocities: the change of the
-///   one
-///     equals the integral of the other within 15 %, for every joint that moves;
+///     one equals the integral of the other within 15 %, for every joint that moves;
 ///   - positions of at most 2 pi in size are in rad, larger ones of at most 360 in deg, unless the unit is
-///     stated. Velocities have the unit of their positions, by the factor between the two;
+///     stated. The unit of velocities follows from that of the positions and from the factor between the two;
 ///   - in a file without names, further groups with one column for each joint are torques or currents.
-///   Torques
-///     are a multiple of currents, with one factor for each joint.
+///     Torques are a multiple of currents, with one factor for each joint.
 /// Returns one entry for each group, in the order of the channels.
 std::vector<GroupMeaning> find_meanings(const TopicSummary& topic);
 

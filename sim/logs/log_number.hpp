@@ -7,9 +7,9 @@
 
 namespace armtune::internal {
 
-/// Returns the number in a cell. An empty cell, and one of the words nan, null, none, n/a, na and -, in any
-/// case, is NaN, and so is an infinite number. true and false are 1 and 0. Returns nothing for other text.
-/// decimal_comma: a comma is the decimal point.
+/// Returns the number in a cell. An empty cell, an infinite number, and each of the words nan, null, none,
+/// n/a, na and - in upper or lower case count as NaN. true and false are 1 and 0. Returns nothing for other
+/// text. decimal_comma: a comma is the decimal point.
 std::optional<double> read_log_number(std::string_view cell, bool decimal_comma = false);
 
 /// A time stamp in two parts, so that Unix time stamps keep their digits: 19 digits do not fit into a double.

@@ -66,7 +66,7 @@ void add_notes(const CsvLog& csv, LogSummary& summary) {
     if (count > 0) summary.notes.push_back(fmt::format("{} {}.", count, text));
   };
   note(repairs.repeated, "rows with the time stamp of an earlier row were dropped");
-  note(repairs.moved, "rows that stood too late were sorted by time");
+  note(repairs.moved, "rows that were out of order were sorted by time");
   note(repairs.no_time, "rows without a time stamp were dropped");
   note(repairs.cut, "row that was cut off at the end of the file was dropped");
   const std::vector<std::string>& skipped = csv.skipped();

@@ -1,5 +1,5 @@
 #pragma once
-// Which part of a recording is read, and what the user says about it.
+// Selects the part of a recording that is read, and holds what the user says about the recording.
 
 #include <filesystem>
 #include <string>

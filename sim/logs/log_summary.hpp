@@ -1,5 +1,5 @@
 #pragma once
-// What a log holds: rows, rates, gaps and ranges, computed while the log streams by. The memory does not grow
+// What a log holds: rows, rates, gaps and ranges, computed while the log is read. The memory does not grow
 // with the number of rows.
 
 #include <limits>
@@ -62,10 +62,10 @@ class TopicAccumulator {
   /// Adds the values of the row that was counted last, at most as many as there are channels. Channels
   /// without a value, or with NaN, are missing in this row.
   void add_values(const std::vector<double>& value);
-  /// Returns the summary, with first and last from the same origin as the times.
+  /// Returns the summary. Its first and last have the same origin as the times of add_time().
   TopicSummary finish();
 
-  /// For name, type, labels, repairs and trouble.
+  /// Returns the summary so far, so that name, type, labels, repairs and trouble can be set.
   TopicSummary& topic() { return topic_; }
 
  private:

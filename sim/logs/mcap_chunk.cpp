@@ -64,9 +64,11 @@ void McapChunk::check_expansion(std::uint64_t length, const McapPlace& place) {
   expanded_ += decoder_.content().size();
   const std::uint64_t most = kFreeMcapExpansion + kMostMcapExpansion * (place.offset + length);
   if (expanded_ > most) {
-    throw mcap_error(place, {.problem = fmt::format("lets the file decompress to {} bytes", expanded_),
-                             .value = std::to_string(expanded_),
-                             .limit = fmt::format("at most {} times its own size", kMostMcapExpansion)});
+    throw mcap_error(place,
+                     {.problem = fmt::format(
+                          "makes the file decompress to {} bytes, which is too many for its size", expanded_),
+                      .value = std::to_string(expanded_),
+                      .limit = fmt::format("at most {} times its own size", kMostMcapExpansion)});
   }
 }
 
@@ -113,7 +115,7 @@ std::optional<McapChunkRecord> McapChunk::next_record() {
   const auto length = left < kMcapRecordHead ? 0 : little_endian_at<std::uint64_t>(&content_[at_ + 1]);
   if (left < kMcapRecordHead || length > left - kMcapRecordHead)
     throw mcap_error(place, {.problem = "is longer than the rest of the chunk"});
-  if (!may_stand_in_chunk(place.kind)) throw mcap_error(place, {.problem = "may not stand in a chunk"});
+  if (!may_stand_in_chunk(place.kind)) throw mcap_error(place, {.problem = "is not allowed in a chunk"});
   const auto content = content_.subspan(at_ + kMcapRecordHead, static_cast<std::size_t>(length));
   at_ += kMcapRecordHead + content.size();
   return McapChunkRecord{content, place};

@@ -23,13 +23,13 @@ class McapChunk {
 
   /// Reads and decompresses the Chunk record at which the source stands, and moves the source past it.
   /// length: of its content, as stated before it. Returns false, with no record in the chunk, if the file
-  /// ends before the record does. Throws InputError at the place if the chunk is damaged, has an unknown
-  /// compression or another checksum or size than it states, or exceeds a limit of mcap_format.hpp.
+  /// ends before the record does. Throws InputError at the place if the chunk is damaged, if its compression
+  /// is unknown, if its checksum or size is not the stated one, or if it exceeds a limit of mcap_format.hpp.
   bool read(std::uint64_t length, const McapPlace& place);
 
   /// Returns the next record of the chunk: a Schema, Channel or Message, or one of a kind that the
   /// specification does not know yet. Returns nothing at its end. Throws InputError if the record is longer
-  /// than the rest of the chunk, or may not be in one.
+  /// than the rest of the chunk, or if records of its kind must not be in a chunk.
   std::optional<McapChunkRecord> next_record();
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// What the published MCAP format fixes (https://mcap.dev/spec, major version 0), and the limits that armtune
-// sets to it.
+// The constants of the published MCAP format (https://mcap.dev/spec, major version 0), and the limits that
+// armtune sets for MCAP files.
 
 #include <array>
 #include <cstddef>
@@ -14,8 +14,8 @@ inline constexpr std::array<std::byte, 8> kMcapMagic{std::byte{0x89}, std::byte{
                                                      std::byte{'A'},  std::byte{'P'}, std::byte{'0'},
                                                      std::byte{'\r'}, std::byte{'\n'}};
 
-/// The kinds of records, by the byte with which each begins. All other values but 0 may follow in later
-/// versions.
+/// The kinds of records, by the byte with which each begins. Later versions may use all other values except
+/// 0.
 enum class McapRecord : std::uint8_t {
   kHeader = 0x01,
   kFooter = 0x02,
@@ -43,7 +43,7 @@ inline constexpr std::size_t kMcapMessageHead = 22;  ///< bytes: channel, sequen
 inline constexpr std::size_t kMcapFooter = 20;  ///< bytes of its content, which later versions do not extend
 
 /// Largest content of a record that is kept as a whole, and largest chunk after decompression [bytes].
-/// Recorders write chunks of 0.8 to 4 MB; only a message that is larger alone has a larger one.
+/// Recorders write chunks of 0.8 to 4 MB; a chunk is larger only if it holds a single larger message.
 inline constexpr std::size_t kLargestMcapRecord = 256U << 20;
 
 /// Most bytes of all names, types and definitions of a file together.

@@ -1,6 +1,6 @@
 #pragma once
-// The index of an MCAP file that is being written: where each chunk and each message is, and the summary
-// behind the data.
+// The index of an MCAP file that is being written: where each chunk and each message is, and the summary that
+// follows the data.
 
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,7 @@ struct McapTimes {
   }
 };
 
-/// Where a chunk is that was written; offsets in bytes from the beginning of the file.
+/// The place of a chunk that was written; offsets in bytes from the beginning of the file.
 struct McapChunkPlace {
   std::uint64_t offset = 0;
   std::uint64_t length = 0;  ///< bytes of the whole record

@@ -69,7 +69,8 @@ class McapReader final : public BagReader {
   std::optional<BagMessage> end_unfinished(const McapPlace& place) {
     const bool only_magic = place.offset == kMcapMagic.size() && place.kind == McapRecord{0};
     if (!only_magic && source_.ends_with(kMcapMagic))
-      throw mcap_error(place, {.problem = "is longer than the rest of the file, which has an end"});
+      throw mcap_error(place,
+                       {.problem = "is longer than the rest of the file, although the file is not cut off"});
     section_ = McapSection::kEnd;
     unfinished_ = true;
     return std::nullopt;
@@ -84,7 +85,7 @@ class McapReader final : public BagReader {
     if (!may_stand_in(section_, kind)) {
       throw mcap_error(
           place, {.problem = section_ == McapSection::kHeader ? "stands where the Header must be"
-                                                              : "may not stand in this part of the file"});
+                                                              : "is not allowed in this part of the file"});
     }
     if (kind == McapRecord::kChunk) return chunk_.read(length, place) ? std::nullopt : end_unfinished(place);
     const bool kept = kind == McapRecord::kMessage || kind == McapRecord::kSchema ||

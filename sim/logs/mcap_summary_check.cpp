@@ -23,9 +23,11 @@ McapFooter mcap_footer(std::span<const std::byte> content, const McapPlace& plac
 void check_mcap_crc(const McapPlace& place, std::uint32_t stated, std::uint32_t computed,
                     std::string_view what) {
   if (stated == 0 || stated == computed) return;
-  throw mcap_error(place, {.problem = fmt::format("states the CRC {:08x} of {}, which differs", stated, what),
-                           .value = fmt::format("{:08x}", computed),
-                           .limit = fmt::format("{:08x}", stated)});
+  throw mcap_error(place,
+                   {.problem = fmt::format("states the CRC {:08x} for {}, but its content has the CRC {:08x}",
+                                           stated, what, computed),
+                    .value = fmt::format("{:08x}", computed),
+                    .limit = fmt::format("{:08x}", stated)});
 }
 
 InputError too_long_mcap_record(const McapPlace& place, std::uint64_t length) {
@@ -41,10 +43,11 @@ void McapSummaryCheck::set_statistics(std::span<const std::byte> content, const 
 void McapSummaryCheck::check(const McapFooter& footer, std::uint32_t crc, const McapPlace& place) const {
   if (begin_) {
     if (footer.summary_start != 0 && footer.summary_start != *begin_) {
-      throw mcap_error(
-          place, {.problem = fmt::format("states that the summary begins at byte {}", footer.summary_start),
-                  .value = std::to_string(footer.summary_start),
-                  .limit = std::to_string(*begin_)});
+      throw mcap_error(place, {.problem = fmt::format(
+                                   "states that the summary begins at byte {}, but it begins at byte {}",
+                                   footer.summary_start, *begin_),
+                               .value = std::to_string(footer.summary_start),
+                               .limit = std::to_string(*begin_)});
     }
     check_mcap_crc(place, footer.summary_crc, crc, "the file's summary");
   }

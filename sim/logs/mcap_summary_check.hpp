@@ -30,8 +30,8 @@ void check_mcap_crc(const McapPlace& place, std::uint32_t stated, std::uint32_t 
 /// Returns the error for a record whose content is longer than kLargestMcapRecord.
 InputError too_long_mcap_record(const McapPlace& place, std::uint64_t length);
 
-/// Counts the messages and knows where the summary begins, until the Footer and the Statistics can be
-/// compared with that.
+/// Counts the messages and remembers where the summary begins. check() compares this with what the Footer and
+/// the Statistics state.
 class McapSummaryCheck {
  public:
   void count_message() noexcept { ++messages_; }

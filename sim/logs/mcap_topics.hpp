@@ -24,8 +24,8 @@ class McapTopics {
   /// schema has the same number, or if all definitions together are longer than kMostMcapDefinitions.
   void add_schema(std::span<const std::byte> content, const McapPlace& place);
 
-  /// Takes the content of a Channel record, with the same errors, and one more if its schema has not
-  /// occurred.
+  /// Takes the content of a Channel record. Throws the same errors, and also InputError if the record names a
+  /// schema that has not occurred.
   void add_channel(std::span<const std::byte> content, const McapPlace& place);
 
   /// Returns the index in all() of the channel's topic; nothing if the channel has not occurred.

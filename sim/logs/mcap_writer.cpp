@@ -68,8 +68,9 @@ std::size_t McapWriter::add_topic(const BagTopic& topic) {
 
 void McapWriter::write(std::size_t topic, std::int64_t time, std::span<const std::byte> bytes) {
   const auto refuse = [](const char* key, const std::string& value, const std::string& limit) {
-    throw InputError(InputPlace{.key = key},
-                     InputFault{fmt::format("{} cannot be written", value), value, limit});
+    throw InputError(
+        InputPlace{.key = key},
+        InputFault{fmt::format("the value {} cannot be written to an MCAP file", value), value, limit});
   };
   constexpr std::size_t kMost = kLargestMcapRecord / 2;  // with its topic and others in one chunk
   if (topic >= sequence_.size())

@@ -42,8 +42,8 @@ class McapWriter {
   std::size_t add_topic(const BagTopic& topic);
 
   /// Writes a message of the topic. time: when it was recorded [ns]. Throws InputError if there is no such
-  /// topic, if the time is negative, or if the message is longer than half of kLargestMcapRecord, so that the
-  /// file could perhaps not be read.
+  /// topic, if the time is negative, or if the message is longer than half of kLargestMcapRecord, because
+  /// readers might refuse such a record.
   void write(std::size_t topic, std::int64_t time, std::span<const std::byte> bytes);
 
   /// Writes the index and puts the file in its place. Nothing may be written after it.

@@ -21,8 +21,8 @@ namespace armtune::internal {
 
 /// The numbers of one message. Use the same object for all messages of a topic: then its memory is reused.
 struct DecodedMessage {
-  /// header.stamp of the message [ns], on the clock of its sender. No value: it has no header, or the stamp
-  /// is 0, and the message has only the time at which it was recorded.
+  /// header.stamp of the message [ns], on the clock of its sender. No value: the message has no header, or
+  /// its stamp is 0. Only the time at which it was recorded is then known.
   std::optional<std::int64_t> stamp;
   /// As many as MessageDecoder::paths() after this message; NaN where this message has no such element.
   std::vector<double> values;
@@ -33,8 +33,8 @@ struct DecodedMessage {
 ///   `/topic/points[0]/positions[1]`;
 ///   - builtin_interfaces Time and Duration become one channel in s; header.stamp becomes the time instead;
 ///   - strings are skipped. A sequence of strings that is called name, names or joint_names gives the labels.
-///     Sequences of numbers that are as long as it are stored by label, so that a publisher with other names
-///     or another order on the same topic does not mix its joints with these;
+///     The numbers in sequences of the same length are stored by label, because another publisher on the same
+///     topic may send other joints or another order of them;
 ///   - arrays and sequences of more than kMostElements elements, such as images, are skipped as a whole.
 class MessageDecoder {
  public:
@@ -60,8 +60,8 @@ class MessageDecoder {
   /// Returns the labels of all messages so far, such as joints, in the order in which they appeared, as
   /// printable text. `/topic/position[i]` belongs to label i. decode() can append labels.
   const std::vector<std::string>& labels() const;
-  /// Returns how many arrays and sequences were skipped so far because they were too long, one for each
-  /// message, or because the topic had kMostChannels channels.
+  /// Returns how many arrays and sequences were skipped so far, because they were too long or because the
+  /// topic had kMostChannels channels. One that is skipped in several messages is counted in each of them.
   std::size_t skipped_arrays() const;
   /// Returns how many messages so far had other labels, or another order of them, than the message before.
   std::size_t label_changes() const;

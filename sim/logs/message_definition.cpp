@@ -95,8 +95,8 @@ class DefinitionBuilder {
     }
     MessageField& field = declared.field;
     if (!names_.insert({{index, field.name}, true}).second)
-      throw DefinitionFault(InputFault{.problem = fmt::format("there are two fields {}", shown(field.name)),
-                                       .value = field.name});
+      throw DefinitionFault(InputFault{
+          .problem = fmt::format("two fields have the name {}", shown(field.name)), .value = field.name});
     if (field.kind == FieldKind::kStruct) {
       const std::string type = full_name(declared.type, definition_.types[index].name);
       if (type == "builtin_interfaces/Time") {
@@ -145,10 +145,13 @@ std::map<std::string, std::string> texts_of(std::string_view schema, const std::
     if (is_head) {
       is_head = false;
       if (!line.starts_with(kHead)) {
-        throw InputError(place, InputFault{.problem = fmt::format(
-                                               "the schema of {} has a boundary without a type", shown(type)),
-                                           .value = std::string(line),
-                                           .limit = "MSG: PACKAGE/TYPE"});
+        throw InputError(
+            place,
+            InputFault{.problem = fmt::format(
+                           "the schema of {} has a line of '=' that is not followed by the name of a type",
+                           shown(type)),
+                       .value = std::string(line),
+                       .limit = "MSG: PACKAGE/TYPE"});
       }
       const std::string_view name = line.substr(kHead.size());
       text = &texts[short_type(std::string(name.substr(0, name.find_last_not_of(" \r\t") + 1)))];

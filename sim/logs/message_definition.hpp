@@ -14,8 +14,8 @@
 
 namespace armtune::internal {
 
-/// What one element of a field is. kTime and kDuration are builtin_interfaces/Time and Duration: int32 sec
-/// and uint32 nanosec. byte is kUint8 and char is kUint8, as in ROS 2.
+/// The type of one element of a field. kTime and kDuration are builtin_interfaces/Time and Duration: int32
+/// sec and uint32 nanosec. The types byte and char are kUint8, as in ROS 2.
 enum class FieldKind : std::uint8_t {
   kBool,
   kInt8,
@@ -35,7 +35,7 @@ enum class FieldKind : std::uint8_t {
   kStruct
 };
 
-/// How many elements a field has.
+/// The number of elements of a field: one, a fixed number, or any number.
 enum class FieldShape : std::uint8_t { kSingle, kArray, kSequence };
 
 struct MessageField {
@@ -74,9 +74,9 @@ struct DefinitionText {
 /// Returns the text that defines the type "PACKAGE/TYPE"; nothing if it is not known.
 using DefinitionLookup = std::function<std::optional<DefinitionText>(const std::string& type)>;
 
-/// Returns the definition of the type, whose text and those of the types in it come from `find`. `place` is
-/// where the type is asked for. Throws InputError for a type that is unknown or contains itself, for a line
-/// that is not in the .msg format, for two fields of one name, and for more than the limits above.
+/// Returns the definition of the type. `find` gives its text, and the texts of the types that it contains.
+/// `place` is where the type is asked for. Throws InputError for a type that is unknown or contains itself,
+/// for a line that is not in the .msg format, for two fields of one name, and if a limit above is exceeded.
 MessageDefinition build_definition(const std::string& type, const DefinitionLookup& find,
                                    const InputPlace& place);
 

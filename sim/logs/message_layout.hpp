@@ -1,5 +1,5 @@
 #pragma once
-// Measures whether the bytes of a message fit a definition.
+// Checks whether the bytes of a message fit a definition.
 
 #include <cstddef>
 #include <optional>
@@ -27,7 +27,7 @@ void skip_field(CdrReader& reader, const MessageDefinition& definition, const Me
 /// Passes over the values of a type of the definition.
 void skip_struct(CdrReader& reader, const MessageDefinition& definition, std::size_t type, WstringForm form);
 
-/// Returns the number of elements of a field at this place of the message, which for a sequence is read.
+/// Returns the number of elements of a field. For a sequence, reads it at the current place of the message.
 inline std::size_t element_count(CdrReader& reader, const MessageField& field) {
   if (field.shape == FieldShape::kSingle) return 1;
   return field.shape == FieldShape::kArray ? field.size : reader.length(field.size);

@@ -1,7 +1,7 @@
 #pragma once
-// Short stretches of a log, by which its channels are compared: does one channel equal the derivative of
-// another, or a multiple of it? Sums over stretches are used instead of differences of neighbouring rows,
-// because these would mostly show the noise and the resolution of the recording.
+// Short stretches of a log, over which its channels are compared, to find out whether one is the derivative
+// or a multiple of another. Sums over stretches are used instead of differences of neighbouring rows, because
+// these would mostly show the noise and the resolution of the recording.
 
 #include <cstddef>
 #include <vector>
@@ -19,15 +19,15 @@ struct Relation {
 /// every 2^k-th stretch, at most 500, and fewer if there are many channels.
 class MotionBlocks {
  public:
-  /// Adds a row. Times should increase; a row that does not is left out. Missing values (NaN) exclude their
-  /// channel from the stretch. `value` may have more channels than before.
+  /// Adds a row. A row whose time is not larger than that of the row before is left out. Missing values (NaN)
+  /// exclude their channel from the stretch. `value` may have more channels than before.
   void add(double time, const std::vector<double>& value);
 
   std::size_t size() const { return kept_.size(); }
   /// Compares the derivative of channel `a` with channel `b`: factor 1 means b = da/dt. The integral of b
   /// over a stretch is compared with the change of a.
   Relation derivative(std::size_t a, std::size_t b) const;
-  /// Compares the means over stretches without their overall mean: factor k means b = k a + constant.
+  /// Compares the means over stretches without their overall mean: factor k means b = k * a + constant.
   Relation multiple(std::size_t a, std::size_t b) const;
   /// Returns the RMS change of a channel over a stretch.
   double rms_change(std::size_t channel) const;

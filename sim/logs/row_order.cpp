@@ -17,8 +17,9 @@ void RowOrder::push(LogRow& row) {
         fmt::format("the time jumps back by {:.6g} s; if the recording was restarted here, split "
                     "the log here and give both parts",
                     (window_.empty() ? last_ : window_.back().time) - row.time))
-        .with_value(fmt::format("{:.6g}", row.time),
-                    fmt::format("rows that stand at most {} rows too late", RepairBounds::kWindow));
+        .with_value(
+            fmt::format("{:.6g}", row.time),
+            fmt::format("rows that come at most {} rows after their place in time", RepairBounds::kWindow));
   }
   auto place = window_.end();
   while (place != window_.begin() && row.time < std::prev(place)->time) --place;
@@ -57,7 +58,7 @@ void RowOrder::check_bounds() const {
         .with_value(std::to_string(count), fmt::format("at most {} % of the rows", 100.0 * share));
   };
   check(repairs_.repeated, RepairBounds::kRepeatedShare, "repeat the time stamp of another row");
-  check(repairs_.moved, RepairBounds::kMovedShare, "stand later than a row with a larger time stamp");
+  check(repairs_.moved, RepairBounds::kMovedShare, "come after a row with a larger time stamp");
   check(repairs_.no_time, RepairBounds::kNoTimeShare, "have no time stamp");
 }
 

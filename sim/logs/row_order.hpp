@@ -36,19 +36,19 @@ class RowOrder {
   /// file and key: for messages; the key is the name of the time column or of the topic.
   RowOrder(std::string file, std::string key) : file_(std::move(file)), key_(std::move(key)) {}
 
-  /// Takes a row, and leaves memory in its place that can be used again. Throws InputError with file, line
-  /// and key if the row belongs before rows that were already given out. It then stands more than kWindow
-  /// rows too late, or the recording was restarted.
+  /// Takes a row. The content of `row` is not defined afterwards, but its memory can be used for the next
+  /// row. Throws InputError with file, line and key if the row belongs before rows that were already given
+  /// out. It then stands more than kWindow rows too late, or the recording was restarted.
   void push(LogRow& row);
-  /// Gives the next row in the order of time. Returns false if more rows are needed first, or with `end` if
-  /// there is none.
+  /// Sets `row` to the next row in the order of time. Returns false if more rows must be pushed first. With
+  /// `end`, returns false only if no row is left.
   bool pop(LogRow& row, bool end);
   /// Throws InputError with file and key if more rows were dropped or sorted than RepairBounds allow. Must be
   /// called after the last row.
   void check_bounds() const;
 
   const LogRepairs& repairs() const { return repairs_; }
-  /// For rows that never reach push().
+  /// These count rows that never reach push().
   void count_row_without_time() { ++repairs_.no_time; }
   void count_cut_rows(long rows) { repairs_.cut = rows; }
 

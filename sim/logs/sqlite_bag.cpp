@@ -174,7 +174,8 @@ class SqliteBag : public BagReader {
     const auto* data = static_cast<const std::byte*>(sqlite3_column_blob(row, 2));
     const auto size = static_cast<std::size_t>(sqlite3_column_bytes(row, 2));
     // Pages that refer to each other in a circle would make messages without end.
-    if (size + kLeastRow > bytes_left_) database_.refuse("delivers more bytes than it has, so it is damaged");
+    if (size + kLeastRow > bytes_left_)
+      database_.refuse("gives more bytes of messages than it has, so it is damaged");
     bytes_left_ -= size + kLeastRow;
     const auto topic = indices_.find(sqlite3_column_int64(row, 0));
     if (topic == indices_.end())

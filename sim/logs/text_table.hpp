@@ -5,10 +5,10 @@
 //   - cells are separated by commas, semicolons, tabs or blanks; numbers may have decimal commas if the
 //     separator is another character;
 //   - lines that begin with #, % or // are comments. The last of them is the header if it has as many cells
-//   as
-//     the first row and the first row holds numbers;
-//   - the first other line is the header, unless it holds numbers. Columns of the same name are numbered, as
-//     in q[0], q[1]. A line after the header without a number is a row of units;
+//     as the first row and the first row holds numbers;
+//   - otherwise, the first line that is not a comment is the header, unless it holds numbers. Columns of the
+//     same name are numbered, as in q[0], q[1]. If the line after the header holds no number, it gives
+//     the units;
 //   - blank lines are skipped.
 
 #include "sim/csv/text_lines.hpp"
@@ -19,7 +19,7 @@ namespace armtune::internal {
 class TextTable final : public TableRows {
  public:
   /// Opens a file and reads its header. Throws InputError with file and line if:
-  ///   - the file cannot be read, is empty, is no text, or has a line of more than 1 MB,
+  ///   - the file cannot be read, is empty, is not text, or has a line of more than 1 MB,
   ///   - it has more than 10,000 columns.
   explicit TextTable(const std::string& path);
 

@@ -37,12 +37,11 @@ struct TimeColumns {
 };
 
 /// Finds the time columns. `rows` is read to its end, or for 1,000 rows. A column is found by its name, such
-/// as time, t, timestamp, stamp or header.stamp.secs. If no name fits, a column
-/// whose last word is time, or one of the first three columns, is taken if it increases evenly. The unit is
-/// the one that the file states. Otherwise it is found from the size of Unix time stamps, or else from the
-/// time between rows: it is the largest unit in which the median step is below 0.5 s. Throws InputError with
-/// file and key `--rate` if there is no time column, and with key
-/// `--time` if the column that the user names does not exist.
+/// as time, t, timestamp, stamp or header.stamp.secs. If no name fits, a column whose last word is time, or
+/// one of the first three columns, is taken if it increases evenly. The unit is the one that the file states.
+/// Otherwise it is found from the size of Unix time stamps, or else from the time between rows: the largest
+/// unit in which the median step is below 0.5 s is taken. Throws InputError with file and key `--rate` if
+/// there is no time column, and with key `--time` if the column that the user names does not exist.
 TimeColumns find_time_columns(TableRows& rows, const TimeOptions& options);
 
 }  // namespace armtune::internal

@@ -16,7 +16,8 @@ struct NamedTime {
   std::optional<TimeUnit> unit;
 };
 
-/// Returns the time columns. The stamp of a message's header comes before other stamps.
+/// Returns the time columns. If the names of several columns fit, the stamp of a message's header is
+/// preferred.
 NamedTime find_named_time(const std::vector<std::string>& names);
 
 /// Returns the unit that the name of a time column states, as in time_ms or "time [us]", or nothing.

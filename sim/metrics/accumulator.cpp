@@ -1,6 +1,7 @@
 #include "sim/metrics/accumulator.hpp"
 
 #include <limits>
+#include <type_traits>
 
 #include "core/control/axis_error.hpp"
 #include "core/trajectory/gaze.hpp"
@@ -28,9 +29,25 @@ double gaze_rate_error(const Observation& o) {
       .norm();
 }
 
-/// Returns a minimum, or NaN if it is still infinite because there was no value.
-double finite_or_nan(double smallest) {
-  return smallest < kInfinity ? smallest : NAN;
+/// Calls run(i, size) for each pair of n elements, with its first index, and for the last element if n is
+/// odd. size: a std::integral_constant. Every processor computes with pairs as fast as with single elements.
+template <typename Run>
+void for_pairs(Eigen::Index n, const Run& run) {
+  Eigen::Index i = 0;
+  for (; i + 1 < n; i += 2) run(i, std::integral_constant<int, 2>());
+  if (i < n) run(i, std::integral_constant<int, 1>());
+}
+
+/// Returns the largest a_i b_i. The product of zero and an infinite number does not count.
+double largest_product(const JointVector& a, const JointVector& b) {
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) largest = std::max(largest, a[i] * b[i]);
+  return largest;
+}
+
+/// Returns x, or NaN if it is infinite: the minimum of no values, or the ratio to an effort limit of zero.
+double finite_or_nan(double x) {
+  return x < kInfinity ? x : NAN;
 }
 
 }  // namespace
@@ -71,7 +88,11 @@ MetricAccumulator::MetricAccumulator(const RobotModel& model, double threshold, 
       threshold_(threshold),
       period_(period),
       step_(period),
-      min_margin_(kInfinity),
+      lowest_(JointVector::Constant(model.n(), kInfinity)),
+      highest_(JointVector::Constant(model.n(), -kInfinity)),
+      max_commanded_(JointVector::Zero(model.n())),
+      max_acceleration_(JointVector::Zero(model.n())),
+      max_acceleration_change_(JointVector::Zero(model.n())),
       min_clearance_(kInfinity),
       last_torque_(JointVector::Zero(model.n())),
       last_velocity_(JointVector::Zero(model.n())),
@@ -141,9 +162,13 @@ void MetricAccumulator::add_instant(double time, const JointVector& q, const Joi
       max_ratio_time_ = time;
       max_ratio_joint_ = i;
     }
-    min_margin_ = std::min(min_margin_, std::min(q[i] - lower_limits_[i], upper_limits_[i] - q[i]));
-    max_effort_ratio_ = std::max(max_effort_ratio_, std::abs(commanded[i]) * per_effort_limit_[i]);
   }
+  for_pairs(q.size(), [&](Eigen::Index i, auto size) {
+    const auto part = [i](auto& v) { return v.template segment<decltype(size)::value>(i); };
+    part(lowest_) = part(lowest_).cwiseMin(part(q));
+    part(highest_) = part(highest_).cwiseMax(part(q));
+    part(max_commanded_) = part(max_commanded_).cwiseMax(part(commanded).cwiseAbs());
+  });
   effort_.add(torque.norm());
   if (instants_ > 0) effort_rate_.add((torque - last_torque_).norm() / step_);
   last_torque_ = torque;
@@ -152,23 +177,18 @@ void MetricAccumulator::add_instant(double time, const JointVector& q, const Joi
 
 void MetricAccumulator::add_acceleration(const JointVector& velocity) {
   const double rate = 1.0 / step_;
-  double most = 0.0;
-  double most_ratio = 0.0;
-  double most_jerk = 0.0;
-  for (Eigen::Index i = 0; i < velocity.size(); ++i) {
-    const double acceleration = (velocity[i] - last_velocity_[i]) * rate;
-    most = std::max(most, std::abs(acceleration));
-    most_ratio = std::max(most_ratio, std::abs(acceleration) * per_acceleration_limit_[i]);
-    most_jerk = std::max(most_jerk, std::abs(acceleration - last_acceleration_[i]) * rate);
-    last_acceleration_[i] = acceleration;
-    last_velocity_[i] = velocity[i];
-  }
-  // The second instant gives the first acceleration, and the third one the first jerk.
-  if (instants_ > 0) {
-    max_acceleration_ = std::max(max_acceleration_, most);
-    max_acceleration_ratio_ = std::max(max_acceleration_ratio_, most_ratio);
-  }
-  if (instants_ > 1) max_jerk_ = std::max(max_jerk_, most_jerk);
+  for_pairs(velocity.size(), [&](Eigen::Index i, auto size) {
+    const auto part = [i](auto& v) { return v.template segment<decltype(size)::value>(i); };
+    const Eigen::Matrix<double, decltype(size)::value, 1> acceleration =
+        (part(velocity) - part(last_velocity_)) * rate;
+    // The second instant gives the first acceleration, and the third one the first jerk.
+    if (instants_ > 0) part(max_acceleration_) = part(max_acceleration_).cwiseMax(acceleration.cwiseAbs());
+    if (instants_ > 1)
+      part(max_acceleration_change_) =
+          part(max_acceleration_change_).cwiseMax((acceleration - part(last_acceleration_)).cwiseAbs());
+    part(last_acceleration_) = acceleration;
+    part(last_velocity_) = part(velocity);
+  });
   ++instants_;
 }
 
@@ -203,18 +223,19 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kJointVelocityMaxRatio:
       return first_ ? NAN : max_ratio_;
     case Metric::kJointPositionMinMargin:
-      return finite_or_nan(min_margin_);
+      return finite_or_nan((lowest_ - lower_limits_).cwiseMin(upper_limits_ - highest_).minCoeff());
     case Metric::kJointEffortMaxRatio:
-      // With an effort limit of zero the ratio is infinite, and the metric has no value.
-      return first_ || max_effort_ratio_ == kInfinity ? NAN : max_effort_ratio_;
+      return first_ ? NAN : finite_or_nan(largest_product(max_commanded_, per_effort_limit_));
     case Metric::kJointEffortSaturatedPeriods:
       return first_ ? NAN : static_cast<double>(saturated_periods_);
     case Metric::kJointAccelerationMax:
-      return instants_ > 1 ? max_acceleration_ : NAN;
+      return instants_ > 1 ? max_acceleration_.maxCoeff() : NAN;
     case Metric::kJointAccelerationMaxRatio:
-      return instants_ > 1 && (per_acceleration_limit_.array() > 0.0).any() ? max_acceleration_ratio_ : NAN;
+      return instants_ > 1 && (per_acceleration_limit_.array() > 0.0).any()
+                 ? largest_product(max_acceleration_, per_acceleration_limit_)
+                 : NAN;
     case Metric::kJointJerkMax:
-      return instants_ > 2 ? max_jerk_ : NAN;
+      return instants_ > 2 ? max_acceleration_change_.maxCoeff() * (1.0 / step_) : NAN;
     case Metric::kJointErrorMax:
       return joint_error_.max();
     case Metric::kToolErrorMax:

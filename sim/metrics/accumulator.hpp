@@ -66,7 +66,7 @@ class MetricAccumulator {
   /// Sets the time between two instants of an observation [s] (Observation::each_instant), if it is not the
   /// control period.
   void sample_every(double step) { step_ = step; }
-  /// Sets the end of the planned trajectory [s]. Joint errors count before it.
+  /// Sets the end of the planned trajectory [s]. Joint errors count only before this time.
   void end_plan(double time) { plan_end_ = time; }
 
   /// Leaves out the metrics of the gaze. Call it for tasks in which the tool does not aim at a target.
@@ -116,17 +116,19 @@ class MetricAccumulator {
   double max_ratio_ = 0.0;
   double max_ratio_time_ = 0.0;
   Eigen::Index max_ratio_joint_ = 0;
-  double min_margin_;
-  double max_effort_ratio_ = 0.0;
+  // For each joint the largest of its magnitudes, or the ends of its motion, in all instants. Rounding keeps
+  // the order of numbers. So each is multiplied by its factor, or compared with its limit, only once at the
+  // end.
+  JointVector lowest_, highest_;
+  JointVector max_commanded_;
+  JointVector max_acceleration_;
+  JointVector max_acceleration_change_;  ///< between two instants
   long saturated_periods_ = 0;
   double min_clearance_;
   LeastClearances least_;
   JointVector last_torque_;
   JointVector last_velocity_;
   JointVector last_acceleration_;
-  double max_acceleration_ = 0.0;
-  double max_acceleration_ratio_ = 0.0;
-  double max_jerk_ = 0.0;
 };
 
 }  // namespace armtune::internal

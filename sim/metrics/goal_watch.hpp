@@ -1,6 +1,6 @@
 #pragma once
 // Measures how the joints come to rest at the end of a planned motion, the goal: how long they need, and how
-// far they pass it.
+// far they overshoot it.
 
 #include "core/trajectory/joint_spline.hpp"
 #include "sim/metrics/metric.hpp"

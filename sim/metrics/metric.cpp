@@ -59,7 +59,8 @@ constexpr std::array<MetricField, kMetricCount> kFields{{
      "total time for which the gaze angle is at least the threshold slerpAngularErrorThreshold"},
     {"reacquisition/time", "s", kLess, kEitherWay, "time to the next target",
      "longest time from a target switch until the gaze angle stays below the gain "
-     "slerpAngularErrorThreshold; if it never does, the time until the next switch or the end"},
+     "slerpAngularErrorThreshold; if it never does, the time until the next switch or the "
+     "end of the scenario"},
     {"joint_velocity/max_ratio", "1", kLess, kOnlyWorsens, "largest joint velocity relative to its limit",
      "largest ratio of a joint's |velocity| to its limit, of all joints, at any time"},
     {"joint_velocity/max_ratio_time", "s", kNeither, kEitherWay, "time of the largest joint velocity",
@@ -67,8 +68,8 @@ constexpr std::array<MetricField, kMetricCount> kFields{{
     {"joint_position/min_margin", "rad", kMore, kOnlyWorsens, "smallest distance to a position limit",
      "smallest distance of any joint to a position limit; negative if a joint exceeded it"},
     {"joint_effort/rms", "N m", kLess, kEitherWay, "RMS torque",
-     "RMS over time of the joint torques after saturation (norm over the joints), with what carries the arm's "
-     "weight"},
+     "RMS over time of the joint torques after saturation (norm over the joints), including those that "
+     "carry the arm's weight"},
     {"joint_effort/max_ratio", "1", kLess, kOnlyWorsens, "largest torque relative to its limit",
      "largest ratio of a joint's commanded |torque| to its limit, before saturation"},
     {"joint_effort/saturated_periods", "1", kLess, kOnlyWorsens, "periods with a saturated joint",
@@ -81,8 +82,8 @@ constexpr std::array<MetricField, kMetricCount> kFields{{
      "largest ratio of a joint's |acceleration| to its limit, of all joints with an acceleration limit in the "
      "robot file, at any time; empty if no joint has one"},
     {"joint_jerk/max", "rad/s^3", kLess, kOnlyWorsens, "largest joint jerk",
-     "largest |jerk| of any joint, at any time: change of its acceleration from one such period to the next, "
-     "divided by the period; m/s^3 for prismatic joints"},
+     "largest |jerk| of any joint, at any time: change of its acceleration from one control period (or "
+     "period of the robot's drives) to the next, divided by the period; m/s^3 for prismatic joints"},
     {"joint_error/rms", "rad", kLess, kEitherWay, "RMS joint error",
      "RMS difference between actual and planned joint positions, over joints and time, while a planned "
      "trajectory is followed; empty without one"},
@@ -97,11 +98,12 @@ constexpr std::array<MetricField, kMetricCount> kFields{{
      "trajectory is followed; empty without one"},
     {"goal/settling_time", "s", kLess, kEitherWay, "time to settle at the goal",
      "time from the end of a planned trajectory until all joints stay within the scenario's goal_tolerance "
-     "of its last position; if they never do, the time until the end; empty unless the arm stays at the end "
-     "of a planned trajectory"},
+     "of the trajectory's last position; if they never do, the time until the scenario ends; "
+     "empty unless the arm stays at the end of a planned trajectory"},
     {"goal/overshoot", "rad", kLess, kEitherWay, "overshoot at the goal",
      "largest distance by which a joint passes the last position of a planned trajectory after its end, in "
-     "the direction in which the joint came; empty unless the arm stays at the end of a planned trajectory"},
+     "the direction in which the joint approached it; empty unless the arm stays at the end of "
+     "a planned trajectory"},
     {"effort_rate/rms", "N m/s", kLess, kEitherWay, "RMS torque rate",
      "RMS over time of the rate of change of the joint torques after saturation (norm over the joints)"},
     {"obstacle/min_clearance", "m", kMore, kOnlyWorsens, "smallest obstacle clearance",
@@ -124,12 +126,13 @@ constexpr std::array<MetricField, kMetricCount> kFields{{
      "largest amount by which the response exceeds the step, as a share of the step's size"},
     {"response/settling_time", "s", kLess, kEitherWay, "settling time",
      "time from the step until the response stays within 2 % of the step's size; if it never does, the "
-     "time until the end"},
+     "time until the end of the scenario"},
     {"response/steady_state_error", "1", kLess, kEitherWay, "steady-state error",
      "|mean error| in the last tenth of the time after the step, as a share of the step's size"},
     {"response/bandwidth", "Hz", kMore, kEitherWay, "bandwidth",
      "frequency at which the response to the scenario's sines first falls 3 dB below them; if it never "
-     "does, the highest sine frequency; if it starts below, the lowest"},
+     "does, the highest sine frequency; if it is below already at the lowest sine, the "
+     "frequency of that sine"},
 }};
 
 }  // namespace

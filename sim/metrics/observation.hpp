@@ -26,8 +26,9 @@ struct Observation {
   const ControlOutput* control = nullptr;
   const JointVector* applied = nullptr;  ///< torque that acts now (delayed) [N m, N]
   const ParameterVector* theta = nullptr;
-  /// Of controllers that command velocities or positions: the periods of the drives since the control period
-  /// before, without those at control periods.
+  /// For controllers that command velocities or positions: the periods of the robot's drives that begin
+  /// between the previous control period and this one. The periods that begin together with a control period
+  /// are left out.
   std::span<const DriveInstant> between;
 
   // From the true state, base frame.

@@ -4,8 +4,8 @@
 
 namespace armtune::internal {
 
-/// The response of a signal that should go from 0 to 1. A crossing time lies between two samples, where the
-/// straight line through them crosses the level.
+/// The response of a signal that should go from 0 to 1. The time at which the response crosses a level is
+/// interpolated linearly between two samples.
 class StepResponse {
  public:
   /// span: time from the step to the end of the measurement [s].

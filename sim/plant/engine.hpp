@@ -7,7 +7,7 @@
 namespace armtune::internal {
 
 enum class Engine {
-  kSimbody,  ///< the library Simbody; all reported values are computed with it
+  kSimbody,  ///< the library Simbody; the default for all results that are reported
   kNative    ///< armtune's own articulated-body dynamics in core; several times faster, for searches
 };
 

@@ -1,6 +1,7 @@
 #pragma once
-// Simulates the joint sensors. They add white Gaussian noise to joint positions and velocities. It is drawn
-// from a seeded generator, in each control period, and in each period of the robot's drives if it has any.
+// Simulates the joint sensors. They add white Gaussian noise to joint positions and velocities. The noise is
+// drawn from a seeded generator in each control period and, if the robot has drives, in each period of its
+// drives.
 
 #include <cstdint>
 #include <random>

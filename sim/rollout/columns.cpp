@@ -160,6 +160,13 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
   return columns;
 }
 
+std::vector<std::string> column_names(const std::vector<Column>& columns) {
+  std::vector<std::string> names;
+  names.reserve(columns.size());
+  for (const Column& column : columns) names.push_back(column.name);
+  return names;
+}
+
 std::vector<Column> rollout_columns(const std::vector<Scenario>& scenarios) {
   std::vector<Column> all;
   for (const Scenario& scenario : scenarios) {

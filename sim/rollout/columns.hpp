@@ -27,6 +27,9 @@ struct Column {
 /// Returns the columns for a scenario's robot, `time` first. The scenario's robot must outlive them.
 std::vector<Column> rollout_columns(const Scenario& scenario);
 
+/// Returns the names of the columns, in order.
+std::vector<std::string> column_names(const std::vector<Column>& columns);
+
 /// Returns the columns that at least one of the scenarios has. Each name occurs once.
 std::vector<Column> rollout_columns(const std::vector<Scenario>& scenarios);
 

@@ -49,11 +49,12 @@ std::string unstable_damping(const PreparedScenario& prepared, const JointState&
   }
   if (worst < 0) return {};
   return fmt::format(
-      "the damping of {} is unstable at this control period: Kd {:.3g} times {:.3g} s is {:.3g} times the "
-      "joint's inertia {:.3g}. Because the torque is constant for one period{}, at most {:.3g} times is "
-      "stable. Lower Kd, shorten the period, or give the joint's 'rotor_inertia'",
-      plant.joints[static_cast<std::size_t>(worst)].name, Kd[worst], h, h * Kd[worst] / inertia[worst],
-      inertia[worst], prepared.scenario.plant.torque_delay_periods > 0 ? " and delayed" : "", limit);
+      "the damping of {} is unstable at this control period: Kd * period / inertia is {:.3g} * {:.3g} / "
+      "{:.3g} = {:.3g} for this joint. Because the torque is constant for one period{}, this number may be "
+      "at most {:.3g}. Lower Kd, shorten the period, or give the joint's 'rotor_inertia'",
+      plant.joints[static_cast<std::size_t>(worst)].name, Kd[worst], h, inertia[worst],
+      h * Kd[worst] / inertia[worst], prepared.scenario.plant.torque_delay_periods > 0 ? " and delayed" : "",
+      limit);
 }
 
 }  // namespace armtune::internal

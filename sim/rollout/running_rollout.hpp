@@ -26,9 +26,9 @@ namespace armtune::internal {
 
 class RunningRollout {
  public:
-  /// threshold: the gains' slerpAngularErrorThreshold [rad]. torque_delay: control periods by which the
-  /// torques act late. drive_steps: periods of the robot's drives in a control period; 1 if it has none. All
-  /// references must outlive this object.
+  /// threshold: the gains' slerpAngularErrorThreshold [rad]. torque_delay: number of control periods by which
+  /// torques are delayed. drive_steps: periods of the robot's drives in a control period; 1 if it has none.
+  /// All references must outlive this object.
   RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits,
                  int torque_delay, int drive_steps = 1);
   RunningRollout(const RunningRollout&) = delete;  // its parts refer to each other
@@ -60,8 +60,8 @@ class RunningRollout {
   /// Updates the metrics with the complete observation, calls the observer and checks the end limits. Returns
   /// false if the rollout ends here, before the plant moves.
   bool judge(const Observer& observer);
-  /// Begins a period of the robot's drives, `after` the control period's beginning [s], with the plant at q,
-  /// q' (n). Returns the instant, whose torques the caller computes from measured_by_drives().
+  /// Begins the period of the robot's drives that starts the time `after` [s] after the control period, with
+  /// the plant at q, q' (n). Returns the instant. The caller computes its torques from measured_by_drives().
   DriveInstant& begin_drive_period(double after, const JointVector& q, const JointVector& qd);
   const JointState& measured_by_drives() const { return between_measured_; }
   /// Ends the period with the plant at q, q' (n), and checks whether the rollout has diverged. failure: why

@@ -1,6 +1,6 @@
 #pragma once
-// Detects joints that oscillate during a rollout, which no task asks for. The control loop is then near its
-// stability limit or beyond it, or it amplifies noise. There are two signs:
+// Detects joints that oscillate during a rollout although their task does not require it. The control loop is
+// then near its stability limit or beyond it, or it amplifies noise. There are two signs:
 //
 //   - a joint shakes: its commanded torque swings by half of the effort limit or more, at 5 Hz or more;
 //   - an oscillation grows: at 0.5 to 10 Hz, every swing of the joint's velocity about its reference is

@@ -1,7 +1,7 @@
 #pragma once
 // Generates a first scenario for an arm from its URDF alone, for users to tune gains on and to edit. The tool
-// follows a circle at a place where the arm moves well, and its z axis (the gaze) aims alternately at two
-// targets ahead of the tool.
+// follows a circle far from singular positions and joint limits, and its z axis (the gaze) aims alternately
+// at two targets ahead of the tool.
 
 #include <memory>
 #include <optional>
@@ -43,7 +43,8 @@ struct DefaultTask {
 
 /// Returns a task that the arm can do. The circle is perpendicular to the tool's z axis. Its radius is 0.09
 /// of the arm's reach, and is halved up to three times if no place for a larger circle is found. The search
-/// prefers places where the arm moves well, the tool points down and the load is light.
+/// prefers places far from singularities and joint limits, where the tool points down and little torque holds
+/// the arm still.
 ///
 /// On the whole circle:
 ///   - the tool and the joints from the third on stay at least 0.1 m above the floor,
@@ -65,7 +66,8 @@ struct DefaultTask {
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options = {});
 
 /// Returns up to `count` (>= 1) tasks, the preferred ones first. The first is the task of default_task. The
-/// others are at other places, or are smaller circles at the same places. Throws InputError if there is none.
+/// others are at other places, or are smaller circles at the same places. Throws InputError if there is no
+/// task.
 std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, const TaskOptions& options,
                                        std::size_t count);
 

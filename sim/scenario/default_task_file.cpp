@@ -17,7 +17,7 @@ std::string list(const Vec3& x) {
 std::string default_task_yaml(const DefaultTask& task, const std::string& robot) {
   const Scenario& s = task.scenario;
   const std::string description =
-      fmt::format("a circle where {} moves well{}", s.robot->name,
+      fmt::format("a circle that {} follows far from singular positions and joint limits{}", s.robot->name,
                   tracks_orientation(s.mask) ? ", with the gaze switching between two targets" : "");
   std::string text = fmt::format(
       "description: {0}\nrobot: {1}\nduration: {2}            "

@@ -25,7 +25,8 @@ struct DriveValue {
 /// Returns the values of the drives that the model has, in the order of the documentation.
 std::vector<DriveValue> drive_values(const RobotModel& model);
 
-/// Returns the key `drives` of a robot YAML with these values. Empty if there are none.
+/// Returns the key `drives` of a robot YAML with the values of the model. Returns an empty text if the model
+/// has none.
 std::string drives_yaml(const RobotModel& model);
 
 }  // namespace armtune::internal

@@ -111,7 +111,7 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
     throw InputError(
         InputPlace{path},
         fmt::format(
-            "a node ('{}') can be named only for a ROS parameter file with controllers, which this is not; "
+            "this is not a ROS parameter file with controllers, so no node ('{}') can be named for it; "
             "remove the option or key that names the node",
             node))
         .with_value(node, "a ROS parameter file with controllers");
@@ -119,8 +119,8 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
     throw InputError(
         InputPlace{path},
         fmt::format(
-            "a distribution of ROS ('{}') can be named only for a ROS parameter file, which this is not; "
-            "remove the key that names it, because the gain jtc_distro gives it here",
+            "this is not a ROS parameter file, so no distribution of ROS ('{}') can be named for it; remove "
+            "the key that names it, and set the gain jtc_distro instead",
             rules_of(*distro).name))
         .with_value(std::string(rules_of(*distro).name), "a ROS parameter file");
   const yaml::Node root = yaml::parse_text(read_input_file(path, yaml::kMaxBytes, "a YAML file"), path);

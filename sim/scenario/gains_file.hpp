@@ -22,8 +22,9 @@ namespace armtune::internal {
 ///   - the parameters that ROS 2 gives every node.
 ///
 /// node: name of the controller, needed if a ROS parameter file has several. distro: the distribution of ROS
-/// whose rules its joint trajectory controller follows (ros_distro.hpp); if it is not given, the file's own
-/// gains say so, or it is Jazzy for ROS 2 and Noetic for ROS 1. Throws InputError.
+/// whose rules its joint trajectory controller follows (ros_distro.hpp). If it is not given, it is Jazzy for
+/// a ROS 2 file and Noetic for a ROS 1 file. In armtune's format, the gain jtc_distro gives it instead.
+/// Throws InputError.
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
                  const std::string& relative_to = {}, const std::string& node = {},
                  std::optional<RosDistro> distro = {});

@@ -95,7 +95,7 @@ void refuse_too_heavy(const RobotModel& robot, double most_load) {
   throw InputError(
       InputPlace{robot.source, 0, joint.name + "/effort"},
       fmt::format(
-          "no first task is possible for {}: at {:.0f} % of its joint positions, a joint needs more than "
+          "no first task is possible for {}: in {:.0f} % of the arm's poses, some joint needs more than "
           "{:.0f} % of its effort limit only to hold the arm still. For example, joint '{}' needs {}. "
           "Check the effort limits and the masses, or write a scenario with your own path",
           robot.name, 100.0 * (1.0 - survey.held), 100.0 * most_load, joint.name,

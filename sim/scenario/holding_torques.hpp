@@ -19,9 +19,9 @@ struct JointHold {
 /// Returns for each joint a position at which it needs nearly its largest holding torque.
 std::vector<JointHold> heaviest_holds(const RobotModel& robot);
 
-/// Throws InputError if the arm can hold itself at less than 5 % of a fixed series of joint positions, so
-/// that a task for it would hardly have a place. The error names a joint at the position with the median
-/// load. most_load: largest share of each joint's effort limit that may be needed to hold the arm (> 0).
+/// Throws InputError if the arm can hold itself at less than 5 % of a fixed series of joint positions. Hardly
+/// any place for a task would then be found. The error names a joint at the position with the median load.
+/// most_load: largest share of each joint's effort limit that may be needed to hold the arm (> 0).
 void refuse_too_heavy(const RobotModel& robot, double most_load);
 
 /// Returns the clause "TORQUE N m to hold the arm still at [...] deg, and its effort limit is EFFORT N m".

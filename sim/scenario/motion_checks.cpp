@@ -66,9 +66,10 @@ void MotionChecks::unlimited_joints(double speed) const {
     const std::string key = fmt::format("joint/{}/position", info.name);
     throw InputError(
         points_.where(fast, key),
-        fmt::format("{} is {:.9g}, so from the point before the joint turns at {:.3g} rad/s, but "
-                    "its velocity limit is {:.3g} rad/s; {}, or leave more time between the points",
-                    key, q(fast), fastest, info.limits.velocity, degrees_))
+        fmt::format(
+            "{} is {:.9g}, so the joint turns at {:.3g} rad/s on the way from the previous point, but "
+            "its velocity limit is {:.3g} rad/s; {}, or leave more time between the points",
+            key, q(fast), fastest, info.limits.velocity, degrees_))
         .with_value(fmt::format("{:.9g}", q(fast)),
                     fmt::format("a velocity of at most {:.3g} rad/s", info.limits.velocity));
   }

@@ -20,8 +20,9 @@ class MotionChecks {
 
   /// Throws InputError if the positions of a joint without position limits look like degrees. They do if they
   /// range over more than two turns, and if some mean velocity between two points exceeds the joint's
-  /// velocity limit by more than the square root of 180 / pi. The velocity in degrees is then closer to the
-  /// limit, as a ratio, than the velocity in radians. speed: factor on the speed of the motion.
+  /// velocity limit by more than the square root of 180 / pi. If the numbers are taken for degrees, the
+  /// velocity is then closer to its limit, as a ratio, than if they are taken for radians. speed: factor on
+  /// the speed of the motion.
   void unlimited_joints(double speed) const;
 
   /// Throws InputError if a joint leaves its position limits between two points. It assumes that the

@@ -20,7 +20,7 @@ struct MotionPoints {
   std::string file;                              ///< name of the file in messages
   std::vector<std::size_t> lines;                ///< line of each point in the file
 
-  /// Returns the place of a value of a point; key: name of the value.
+  /// Returns the place of a value of a point in the file. key: name of the value.
   InputPlace where(std::size_t point, std::string key) const {
     return at_line(file, lines[point], std::move(key));
   }

@@ -70,7 +70,7 @@ void check_along(const yaml::Node& node, const Path& path, const ToolOrientation
     if (!(now.dot(last) > 0.0)) {
       node.fail(
           fmt::format("the path stops or reverses at {:.4g} s, where the tool would turn in an instant; "
-                      "round the path there, or give waypoints",
+                      "round the path there, or give the orientation at waypoints",
                       time),
           "a path that neither stops nor reverses");
     }

@@ -1,7 +1,7 @@
 #pragma once
 // Lets an arm follow the task of a scenario step by step by inverse kinematics. This is called a walk. A walk
-// uses no dynamics, no velocity limits and, of all gains, only those of the centering. It shows before the
-// first simulation where no controller can make the arm do the task.
+// uses no dynamics and no velocity limits. Of all gains, it uses only those of joint centering and roll
+// centering. It shows before the first simulation where no controller can make the arm do the task.
 
 #include <vector>
 
@@ -10,8 +10,8 @@
 
 namespace armtune::internal {
 
-/// The condition that ends a walk. kEnd: the task ends, so that every problem on it is found. kLost: the task
-/// ends, or the arm leaves the path or its joint limits.
+/// The condition that ends a walk. kEnd: only the end of the task, so that every problem along it is found.
+/// kLost: also that the arm leaves the path or its joint limits.
 enum class WalkUntil { kEnd, kLost };
 
 /// Follows the task from joint positions q (n), at which the tool is on the path at scenario.start_time.
@@ -19,7 +19,7 @@ enum class WalkUntil { kEnd, kLost };
 /// The walk covers the whole scenario, but at most 1000 s. It covers only one lap of the path (at least 1 s)
 /// if all of the following conditions are met:
 ///   - a lap is shorter than the scenario,
-///   - the parts of the cell rest, and the targets rest and the gaze does not switch between them,
+///   - the parts of the cell and the targets rest, and the gaze does not switch between targets,
 ///   - the tool does not turn through waypoints,
 ///   - the joints return to their start, or drift so little that they stay within their limits in all laps.
 ///
@@ -27,7 +27,8 @@ enum class WalkUntil { kEnd, kLost };
 ///
 /// The scenario needs only a robot, a path, targets or an orientation, and a mask. centering_gain, roll_gain:
 /// the gains joint_centering_gain and roll_centering_gain of the controller [1/s]. required: for each pair of
-/// scenario.clearance, the distance below which the result lists it under too_near [m]; empty: none.
+/// bodies in scenario.clearance, the distance [m] below which the pair is listed in PathWalk::too_near;
+/// empty: no pair is listed.
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain,
                    double roll_gain = 0.0, WalkUntil until = WalkUntil::kEnd,
                    const std::vector<double>& required = {});

@@ -74,8 +74,9 @@ std::span<const PerturbationField> perturbation_fields() {
        true},
       {"payload", "kg", "largest random payload (point mass at the tool); 0 keeps the scenario's payload",
        &P::payload, kAny, true},
-      {"delay", "periods", "largest random extra delay of torques, or of commands to drives, a whole number",
-       &P::delay, kMostDelay, true},
+      {"delay", "periods",
+       "largest random extra delay of torques, or of commands to drives; must be a whole number", &P::delay,
+       kMostDelay, true},
       {"noise", "1", "+- relative change of the sensors' noise", &P::noise, 1.0, true},
       {"theta", "1",
        "+- relative error of the controller's model of the arm (theta) at the start, for the parameters of each "

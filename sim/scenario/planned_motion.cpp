@@ -146,8 +146,8 @@ JointSpline motion_of(const PlannedFile& file, MotionPoints motion, const RobotM
   if (file.segments == Segments::kNextPoint) {
     if (motion.given == PointsGive::kPositions)
       throw InputError(InputPlace{motion.file, 0, "velocities"},
-                       "the points have no velocities, which a controller needs that does not interpolate "
-                       "between them (interpolation_method: none); give the velocities of each point")
+                       "the points have no velocities, but a controller that does not interpolate between "
+                       "points (interpolation_method: none) needs them; give the velocities of each point")
           .with_value({}, "velocities of each point");
     change_speed(file.speed, motion);
     return {std::move(motion.time), std::move(motion.points), motion.given, BetweenPoints::kNextPoint};

@@ -14,7 +14,7 @@ namespace armtune::internal {
 
 /// The motion between the points of a file.
 enum class Segments {
-  kOfFile,    ///< it depends on the file (load_planned_motion)
+  kOfFile,    ///< depends on the file, see load_planned_motion
   kAsRos,     ///< interpolated as in the controllers of ROS (ros_segments.hpp)
   kNextPoint  ///< not interpolated, as in such controllers with interpolation_method `none`
 };

@@ -106,10 +106,11 @@ bool doubt_light_arm(const RobotModel& robot, const MissingData& missing, std::v
     ask_for_body(robot.joints[k].link, proposed);
   }
   add(names,
-      fmt::format("even with all their mass at the arm's reach of {:.3g} m, these links weigh so little that "
-                  "every joint, even '{}', could hold them with {:.2g} % of its effort limit; if the masses "
-                  "are placeholders, give the real ones, and otherwise check the effort limits",
-                  reach(robot), weakest->name, 100.0 * largest),
+      fmt::format(
+          "these links are very light: if all their mass were at the arm's reach of {:.3g} m, every joint, "
+          "even '{}', could hold it with {:.2g} % of its effort limit; if the masses are "
+          "placeholders, give the real ones, and otherwise check the effort limits",
+          reach(robot), weakest->name, 100.0 * largest),
       proposed, doubts);
   return true;
 }

@@ -26,7 +26,7 @@ struct Doubt {
 
 /// Returns everything that is doubtful; empty if nothing is. Doubtful are:
 ///   - an arm that is so light that every joint could hold all of it, at full reach, with a fifth of its
-///   limit,
+///     effort limit,
 ///   - links that are too light for the effort limit of their joint,
 ///   - link inertia that is too large or too small for the link's mass (radius of gyration),
 ///   - links that all have the same mass and inertia, if there are at least four,
@@ -34,8 +34,8 @@ struct Doubt {
 ///   - position and velocity limits that look like degrees,
 ///   - effort limits that are too low to hold the arm still,
 ///   - a last joint with a range as small as that of a gripper's finger.
-/// missing: data for which the model has placeholders (load_robot). Nothing that depends on one of these is
-/// doubtful.
+/// missing: data for which the model has placeholders (load_robot). Values that depend on one of these are
+/// not reported.
 std::vector<Doubt> doubts_with_proposals(const RobotModel& robot, const MissingData& missing = {});
 
 /// Returns the sentences of these doubts, without proposals.

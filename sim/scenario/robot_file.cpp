@@ -18,12 +18,13 @@
 namespace armtune::internal {
 namespace {
 
-/// Keys that are read after the URDF, when the joints are known. Those in kJointKeys have a number per joint.
+/// Keys that are read after the URDF, when the joints are known. Those in kJointKeys have a number per joint,
+/// those in kMarkedKeys also a mark that says where the numbers come from.
 constexpr const char* kCompensation = "compensates_gravity";
 constexpr const char* kRotors = "rotor_inertia";
 constexpr const char* kDrives = "drives";
-constexpr std::array kJointKeys{"viscous_friction", "coulomb_friction", "link_radius", "drive_velocity_gain",
-                                "drive_velocity_integral"};
+constexpr std::array kMarkedKeys{kRotors, "viscous_friction", "coulomb_friction"};
+constexpr std::array kJointKeys{"link_radius", "drive_velocity_gain", "drive_velocity_integral"};
 constexpr double kThickest = 10.0;  // m
 
 /// True for a file with `rotor_inertia: estimated`.
@@ -32,24 +33,33 @@ bool asks_for_estimate(const RobotFile& file) {
   return node != nullptr && node->is_word("estimated");
 }
 
-/// Returns the numbers of `rotor_inertia: {MARK: ...}`; null if they do not have this mark.
-const yaml::Node* marked(const char* mark, const yaml::Node& rotors) {
-  const yaml::Node* values = rotors.kind() == yaml::Node::Kind::kMap ? rotors.find(mark) : nullptr;
-  return values != nullptr && rotors.entries().size() == 1 ? values : nullptr;
+/// Reads numbers of the joints, or `{MARK: NUMBERS}`. Returns the mark; kGiven if there is none.
+ValueSource read_marked(const yaml::Node& node, const std::vector<std::string>& joints, JointVector& values) {
+  const bool one_key = node.kind() == yaml::Node::Kind::kMap && node.entries().size() == 1;
+  for (const ValueSource source : kMarkedSources) {
+    const yaml::Node* marked = one_key ? node.find(name(source)) : nullptr;
+    if (marked == nullptr) continue;
+    values = yaml::joint_values(*marked, joints);
+    return source;
+  }
+  values = yaml::joint_values(node, joints);
+  return ValueSource::kGiven;
 }
 
-/// Reads `rotor_inertia` of the joints.
-void read_rotors(const yaml::Node& node, const std::vector<std::string>& joints, RobotModel& model) {
-  if (node.is_word("estimated")) return;  // estimate_rotors needs valid limits and is called later
-  const yaml::Node* values = marked("estimated", node);
-  if (values != nullptr) model.estimated_rotors = joints;
-  for (const RotorSource source : {RotorSource::kMeasured, RotorSource::kPublished, RotorSource::kAssumed}) {
-    const yaml::Node* own = marked(name(source), node);
-    if (own == nullptr) continue;
-    values = own;
-    model.rotor_source = source;
+/// Reads rotor inertia and friction of the joints.
+void read_marked_values(const yaml::Node& root, const std::vector<std::string>& joints, RobotModel& model) {
+  const std::array values{&model.chain.rotor_inertia, &model.chain.viscous_friction,
+                          &model.chain.coulomb_friction};
+  const std::array sources{&model.rotor_source, &model.viscous_source, &model.coulomb_source};
+  for (std::size_t i = 0; i < kMarkedKeys.size(); ++i) {
+    const yaml::Node* node = root.find(kMarkedKeys[i]);
+    if (node == nullptr) continue;
+    if (kMarkedKeys[i] == kRotors && node->is_word("estimated")) continue;  // needs valid limits: read later
+    *sources[i] = read_marked(*node, joints, *values[i]);
   }
-  model.chain.rotor_inertia = yaml::joint_values(values != nullptr ? *values : node, joints);
+  if (model.rotor_source != ValueSource::kEstimated) return;
+  model.estimated_rotors = joints;
+  model.rotor_source = ValueSource::kGiven;  // of the other joints
 }
 
 /// Throws InputError if a link radius is out of range.
@@ -96,7 +106,7 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
   const std::string urdf = map.required("urdf").as_string();
   file.urdf = urdf.starts_with('/') ? urdf : folder_of(file.path) + "/" + urdf;
   for (const char* key : kJointKeys) map.ignore(key);
-  map.ignore(kRotors);
+  for (const char* key : kMarkedKeys) map.ignore(key);
   map.ignore("payload");
   map.ignore("cell");
   map.ignore(kCompensation);
@@ -115,16 +125,14 @@ std::shared_ptr<const RobotModel> load_robot(const RobotFile& file, MissingData*
   model->link_radii = shape_radii(*model);
   if (file.root) {
     model->files.insert(model->files.begin(), file.path);
-    Chain& chain = model->chain;
     const auto joints = joint_names(*model);
-    const std::array<JointVector*, kJointKeys.size()> values{&chain.viscous_friction, &chain.coulomb_friction,
-                                                             &model->link_radii, &model->drive_velocity_gain,
+    const std::array<JointVector*, kJointKeys.size()> values{&model->link_radii, &model->drive_velocity_gain,
                                                              &model->drive_velocity_integral};
     for (std::size_t i = 0; i < values.size(); ++i) {
       const yaml::Node* node = file.root->find(kJointKeys[i]);
       if (node != nullptr) *values[i] = yaml::joint_values(*node, joints);
     }
-    if (const yaml::Node* node = file.root->find(kRotors)) read_rotors(*node, joints, *model);
+    read_marked_values(*file.root, joints, *model);
     if (const yaml::Node* node = file.root->find("link_radius")) check_radii(*node, *model);
     check_drive(file, "drive_velocity_gain", model->drive_velocity_gain, true);
     check_drive(file, "drive_velocity_integral", model->drive_velocity_integral, false);

@@ -34,14 +34,15 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
 ///   - compensates_gravity (see RobotModel);
 ///   - cell (see cell_of).
 /// `rotor_inertia: estimated` makes armtune estimate the rotor inertia of every joint that has none in the
-/// URDF (rotor_estimate.hpp). `rotor_inertia: {estimated: NUMBERS}` marks the given numbers as estimates.
-/// The marks `measured`, `published` and `assumed` set RobotModel::rotor_source.
+/// URDF (rotor_estimate.hpp). `{MARK: NUMBERS}` as the value of rotor_inertia, viscous_friction or
+/// coulomb_friction says where the numbers come from. The marks are those of value_source.hpp.
 /// Without link_radius, a link's radius is that of its shapes (link_radius.hpp).
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});
 
 /// Reads the rest of a robot file. With `missing`, it does not throw for data that are missing or wrong in
-/// the URDF. Instead it lists them there, and puts placeholders into the model, which must not be simulated.
+/// the URDF. Instead it lists them in `missing`, and puts placeholders into the model, which must then not be
+/// simulated.
 std::shared_ptr<const RobotModel> load_robot(const RobotFile& file, MissingData* missing = nullptr);
 
 /// Returns the cell around the arm, which the key `cell` of a robot file describes (cell_file.hpp). Returns

@@ -12,26 +12,26 @@
 namespace armtune::internal {
 namespace {
 
-/// Returns the mark of the rotor inertia in a robot YAML; empty if it has none.
-std::string rotor_mark(const RobotModel& model) {
-  if (!model.estimated_rotors.empty()) return "estimated";
-  return model.rotor_source == RotorSource::kGiven ? "" : name(model.rotor_source);
+/// Returns a list of numbers, with the mark that says where they come from.
+std::string marked_list(const JointVector& values, ValueSource source) {
+  const std::string list = fmt::format("[{}]", fmt::join(values, ", "));
+  return source == ValueSource::kGiven ? list : fmt::format("{{{}: {}}}", name(source), list);
 }
 
 }  // namespace
 
 std::string robot_yaml(const RobotModel& model, const std::string& urdf, const std::string& comment) {
   const Chain& chain = model.chain;
-  const auto list = [](const JointVector& values) { return fmt::format("[{}]", fmt::join(values, ", ")); };
-  const std::string mark = rotor_mark(model);
-  const std::string rotors = list(chain.rotor_inertia);
+  const ValueSource rotors = model.estimated_rotors.empty() ? model.rotor_source : ValueSource::kEstimated;
   return (comment.empty() ? "" : "# " + comment + "\n") +
          fmt::format(
              "urdf: {}\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}  # kg m^2, kg\n"
              "viscous_friction: {}  # N m s/rad, N s/m\ncoulomb_friction: {}  # N m, N\n{}",
              yaml::quoted(urdf), yaml::quoted(model.base_link), yaml::quoted(urdf_tool_link(model)),
-             mark.empty() ? rotors : fmt::format("{{{}: {}}}", mark, rotors), list(chain.viscous_friction),
-             list(chain.coulomb_friction), model.compensates_gravity ? "compensates_gravity: true\n" : "") +
+             marked_list(chain.rotor_inertia, rotors),
+             marked_list(chain.viscous_friction, model.viscous_source),
+             marked_list(chain.coulomb_friction, model.coulomb_source),
+             model.compensates_gravity ? "compensates_gravity: true\n" : "") +
          drives_yaml(model) + acceleration_limits_yaml(model);
 }
 

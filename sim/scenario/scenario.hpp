@@ -47,8 +47,9 @@ struct ThetaStart {
 struct PlantConditions {
   double position_noise = 0.0;  ///< standard deviation of the white noise in each period [rad, m]
   double velocity_noise = 0.0;  ///< likewise [rad/s, m/s]
-  /// Whole control periods by which torques act late. With controllers that command velocities or positions,
-  /// their commands reach the robot's drives late, and the torques of the drives act at once.
+  /// Number of control periods by which torques are delayed. With controllers that command velocities or
+  /// positions, the commands to the robot's drives are delayed instead, and the torques of the drives act at
+  /// once.
   int torque_delay_periods = 0;
   /// Lowest rate at which the arm and the robot's drives are computed [Hz]. 0: drives run at kDriveFrequency
   /// (joint_drives.hpp), and without drives the arm moves in one step per control period.

@@ -58,8 +58,8 @@ double read_hold(yaml::MapReader& map, const yaml::Node* duration) {
     hold->fail("it has no effect with a duration in seconds; give 'duration: planned'", "duration: planned");
   if (map.has("path") || map.has("orientation") || map.has("targets"))
     hold->fail(
-        "the arm does not stay at the end of the planned motion, because the scenario has a task of its tool; "
-        "give the duration in seconds",
+        "the arm does not stay at the end of the planned motion, because the scenario also gives the tool "
+        "a path, an orientation or targets; give the duration in seconds",
         "a duration in seconds");
   return time;
 }

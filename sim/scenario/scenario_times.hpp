@@ -1,5 +1,5 @@
 #pragma once
-// Reads when a scenario's control periods are, and for how long it lasts.
+// Reads the control period and the duration of a scenario.
 
 #include "sim/scenario/scenario.hpp"
 #include "sim/yaml/map_reader.hpp"

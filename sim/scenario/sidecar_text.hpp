@@ -11,9 +11,8 @@
 namespace armtune::internal {
 
 /// Returns a robot YAML, or lines to add to one. Each key is there once:
-///   - each missing limit, mass and moment has a key without a value, so that reading the file reports it
-///   with
-///     its line until the user fills it in. A missing centre of mass is written as zero;
+///   - each missing limit, mass and moment has a key without a value. Until the user fills it in, reading the
+///     file reports it with its line. A missing centre of mass is written as zero;
 ///   - an inertia that no rigid body can have is replaced by the nearest possible one, with its distance from
 ///     the given one. Without a nearest mass or nearest moments, the key has no value;
 ///   - every doubt is a comment, and so is every value that is proposed in place of a doubtful one.

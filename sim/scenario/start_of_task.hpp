@@ -1,6 +1,6 @@
 #pragma once
 // Computes two sets of joint positions for a scenario that does not give them. In the first, the tool is at
-// the start of its path. The second is some distance away from the first, and the simulation begins there.
+// the start of its path. The second is some distance away from the first; the simulation begins there.
 
 #include "core/control/pose_search.hpp"
 #include "sim/scenario/scenario.hpp"

@@ -55,13 +55,14 @@ std::vector<int> read_orders(const yaml::Node& node, double base_period, double 
     const long least = orders.empty() ? 1 : orders.back() + 1;
     if (order < least)
       item.fail(
-          fmt::format("the order {} is not allowed here; orders must be at least 1 and increase", order),
+          fmt::format("the harmonic order {} is not allowed here; orders must be at least 1 and increase",
+                      order),
           fmt::format("at least {}", least));
     if (static_cast<double>(order) >= limit) {
       item.fail(
           fmt::format(
-              "the order {} is too high; with a base period of {} s it must be below {:.6g}, which is half the "
-              "control rate",
+              "the order {} is too high; with a base period of {} s it must be below {:.6g}, so that the "
+              "frequency is below half the control rate",
               order, base_period, limit),
           fmt::format("below {:.6g}", limit));
     }
@@ -112,8 +113,9 @@ Multisine read_sines(const yaml::Node& node, double duration, double control_per
   sines.periods = static_cast<int>(periods);
   if (!reached(duration, sines.window_end())) {
     const std::string problem = fmt::format(
-        "the measurement from {} s on, one base period for transients and then {} base periods, would end at "
-        "{} s, but the scenario lasts only {} s; reduce 'from' or 'periods', or increase the duration",
+        "the measurement begins at {} s and takes one base period for transients and {} further ones, so it "
+        "would end at {} s, but the scenario lasts only {} s; reduce 'from' or 'periods', or increase the "
+        "duration",
         sines.from, periods, sines.window_end(), duration);
     throw yaml::error_at(node.file(), node.line(), node.key_path(), {.problem = problem})
         .with_value(fmt::to_string(sines.window_end()), fmt::format("an end at {} s or before", duration));

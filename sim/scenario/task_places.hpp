@@ -1,6 +1,6 @@
 #pragma once
-// Searches for joint positions at which an arm moves well and holds its own weight easily. armtune places a
-// first task for a new arm there (default_task.hpp).
+// Searches for joint positions that are far from singularities and joint limits, and at which little torque
+// holds the arm still. armtune places a first task for a new arm there (default_task.hpp).
 
 #include <vector>
 

@@ -18,7 +18,7 @@ struct WalkTrouble {
   std::string text() const { return advice.empty() ? problem : problem + "; " + advice; }
 };
 
-/// Returns the problem of a walk; an empty one if there is none (is_clear). The problem is one of these: the
+/// Returns the problem of a walk. It is empty if there is none (is_clear). The problem is one of these: the
 /// tool passes too close to its target, the path leaves the workspace, the tool leaves the path, a joint
 /// leaves its limits, the arm passes a singularity, or two bodies touch.
 WalkTrouble trouble(const PathWalk& walk, const Scenario& scenario);
@@ -26,7 +26,7 @@ WalkTrouble trouble(const PathWalk& walk, const Scenario& scenario);
 /// The problem of a task under given gains.
 struct TaskTrouble {
   std::string text;  ///< one sentence; empty: there is no problem
-  /// True if, with any gains, a joint drifts along the path until it leaves its position limits.
+  /// True if, whatever the gains are, a joint drifts along the path until it leaves its position limits.
   bool winds = false;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // Reads a joint motion from a YAML file with a trajectory_msgs/JointTrajectory of ROS 1 or ROS 2. The file
-// contains this message alone, in a RobotTrajectory, or in the goal of a FollowJointTrajectory action.
+// contains either this message alone, or a RobotTrajectory or the goal of a FollowJointTrajectory action with
+// this message in it.
 
 #include <string>
 

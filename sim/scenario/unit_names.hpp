@@ -10,8 +10,9 @@ namespace armtune::internal {
 
 /// Returns the column names of `line`, separated by commas, without their units. The column of the time gets
 /// the name `time` if it is called time, t or time_from_start in capital or small letters. path: name of the
-/// file in messages. Throws InputError for a unit that contradicts `units`. Also throws InputError for an
-/// unknown unit beside known ones, because its column would otherwise be ignored silently.
+/// file in messages. Throws InputError for a unit that contradicts `units`. Also throws InputError if some
+/// columns have known units and one has an unknown unit, because that column would otherwise be ignored
+/// silently.
 std::string plain_names(const std::string& line, const std::string& path, const yaml::FileUnits& units);
 
 }  // namespace armtune::internal

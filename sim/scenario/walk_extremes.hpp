@@ -38,7 +38,7 @@ struct PathWalk {
                  kUnseen};  ///< smallest distance of the tool from lines joining the first n - 2 joints [m]
   /// Smallest distances of the arm from itself and its cell; infinite in a scenario without a cell.
   LeastClearances nearest;
-  std::vector<LeastClearance> too_near;  ///< pairs nearer than required of a walk, each at its nearest
+  std::vector<LeastClearance> too_near;  ///< pairs nearer than required, each at its smallest distance
   WalkPlace load;  ///< largest holding torque of a joint, as a fraction of its effort limit
   double largest_manipulability = 0.0;
   int joint = 0;       ///< index of the joint with the smallest margin

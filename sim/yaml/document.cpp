@@ -143,10 +143,10 @@ class TreeBuilder final : public YAML::EventHandler {
     node.line_ = !open_.empty() && open_.back().key ? open_.back().key_line : line_of(mark);
     check_path(node);
     if (++item_count_ > max_items_) {
-      fail_at(*file_, node.line_, {},
-              fmt::format("the file has more than {} values, which is the largest number that is read",
-                          max_items_),
-              fmt::format("at most {} values", max_items_));
+      fail_at(
+          *file_, node.line_, {},
+          fmt::format("the file has more than {} values, which is the most that armtune reads", max_items_),
+          fmt::format("at most {} values", max_items_));
     }
     return node;
   }

@@ -67,11 +67,11 @@ class Node {
   /// True if this is the scalar `text`. Meant for keys that take a word or a number.
   bool is_word(std::string_view text) const { return kind_ == Kind::kScalar && text_ == text; }
 
-  /// Throws InputError "FILE:LINE: key 'a/b': what". The message has one line even if `what` has several. The
-  /// value of the error is the text of a scalar. limit: see InputError::limit().
+  /// Throws InputError "FILE:LINE: key 'a/b': what". The message has one line even if `what` has several. If
+  /// this is a scalar, the value of the error is its text. limit: see InputError::limit().
   [[noreturn]] void fail(const std::string& what, const std::string& limit = {}) const;
-  /// Throws InputError "FILE:LINE: key 'a/b': PROBLEM; expected LIMIT". If the fault has no value, it is the
-  /// text of a scalar.
+  /// Throws InputError "FILE:LINE: key 'a/b': PROBLEM; expected LIMIT". If the fault has no value and this is
+  /// a scalar, the value of the error is its text.
   [[noreturn]] void fail(InputFault fault) const;
   /// Throws InputError "FILE:LINE: key 'a/b': 'TEXT' is not one of: A, B" for a scalar.
   [[noreturn]] void fail_choice(const std::vector<std::string>& known) const;
@@ -106,8 +106,8 @@ class Node {
 /// from a complete file.
 Node parse_file(const std::string& path);
 
-/// Reads a file of at most `max_bytes` that armtune itself wrote. Every call reads it from the disk again,
-/// while the function above may return what an InputRecord kept.
+/// Reads a file of at most `max_bytes` that armtune itself wrote. Every call reads it from the disk again.
+/// The function above, in contrast, may return what an InputRecord kept (input_file.hpp).
 Node parse_file(const std::string& path, std::size_t max_bytes);
 
 /// Reads one document from a text in memory. `file_name` is only used in messages.

@@ -1,6 +1,6 @@
 #pragma once
 // Reads the units that a user declares for the numbers in a CSV file, such as {time: ms, length: mm}, and
-// converts them to factors to SI units.
+// returns the factors that convert these numbers to SI units.
 
 #include "armtune/error.hpp"
 #include "sim/yaml/document.hpp"

@@ -7,7 +7,8 @@
 
 namespace armtune::internal::yaml {
 
-/// An error for values that belong to other joints than the expected ones. The file may describe another arm.
+/// The error for values that belong to other joints than the expected ones, for example because the file
+/// describes another arm.
 class OtherJoints : public InputError {
  public:
   explicit OtherJoints(const InputError& error) : InputError(error) {}

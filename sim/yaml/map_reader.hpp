@@ -11,8 +11,8 @@
 
 namespace armtune::internal::yaml {
 
-/// A reader of one map. Request every key, then call finish(). A key counts as known once any member has
-/// requested it.
+/// A reader of one map. Request every key, then call finish(). A key counts as known once any member function
+/// was called with it.
 ///
 /// The typed reads throw the InputErrors of Node. A default is used only if the key is absent. An empty value
 /// or a value of another type is an error.
@@ -26,10 +26,10 @@ class MapReader {
   const Node* optional(std::string_view key);
   /// Returns the value. Throws InputError naming key and map if the key is absent.
   const Node& required(std::string_view key);
-  /// Throws InputError. It is for a map that must have one of `keys` and has none of them.
+  /// Throws the InputError for a map that must have one of `keys`, but has none of them.
   [[noreturn]] void none_of(std::initializer_list<std::string_view> keys) const;
   bool has(std::string_view key);
-  /// Accepts the key, absent or with any value, because other code reads it.
+  /// Accepts the key with any value, and also its absence. It is for keys that other code reads.
   void ignore(std::string_view key);
 
   double number(std::string_view key);

@@ -109,10 +109,10 @@ class PlacedBuilder final : public YAML::EventHandler {
   void count(int line, std::size_t more) {
     values_ += more;
     if (values_ > kMaxItems)
-      fail_at(file_, line, {},
-              fmt::format("the file has more than {} values, which is the largest number that is read",
-                          kMaxItems),
-              fmt::format("at most {} values", kMaxItems));
+      fail_at(
+          file_, line, {},
+          fmt::format("the file has more than {} values, which is the most that armtune reads", kMaxItems),
+          fmt::format("at most {} values", kMaxItems));
   }
 
   bool takes_key(const YAML::Mark& mark, const std::string& key) {

@@ -12,9 +12,9 @@ namespace armtune::internal::yaml {
 /// byte that is not UTF-8; such a byte becomes the character with the same code.
 std::string quoted(const std::string& text);
 
-/// Returns the text unchanged if every YAML reader reads it as this text, in a list or as a key. Such a text
-/// begins with a letter or '_', continues with letters, digits, '_', '-', '.' and '/', and is not a YAML word
-/// for true, false or null. Returns any other text quoted.
+/// Returns the text unchanged if every YAML reader reads it, without quotes, as this text, both in a list and
+/// as a key. Such a text begins with a letter or '_', continues with letters, digits, '_', '-', '.' and '/',
+/// and is not a YAML word for true, false or null. Returns any other text quoted.
 std::string word(const std::string& text);
 
 /// Returns a line "KEY: VALUE" of a map, indented. The key is written as a word. If it is longer than readers

@@ -21,7 +21,7 @@ InputError error_at(const std::string& file, int line, std::string_view key_path
 /// values, and take some texts for UTF-16.
 void check_characters(std::string_view text, const std::string& file);
 
-/// Returns true if the quote at the beginning of `text` is closed in it, or if no quote is there.
+/// Returns true if `text` does not begin with a quote, or if the quote at its beginning is closed in it.
 bool closes_quote(std::string_view text);
 
 }  // namespace armtune::internal::yaml

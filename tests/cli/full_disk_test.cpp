@@ -88,6 +88,8 @@ TEST_F(FullOutput, OfPlansLogsAndTasksLosesNone) {
                  {"excitation.yaml", "trajectory.csv", "log_moving_target.csv", "run.json"});
   expect_results({"identify", files_ / "out_excite/log_moving_target.csv", "--robot", "ur10", "--accept"},
                  {"theta.yaml", "base_parameters.csv", "robot.urdf", "robot.yaml", "run.json"});
+  expect_results({"validate", files_ / "out_excite/log_moving_target.csv", "--robot", "ur10"},
+                 {"residuals.csv", "run.json"});
   expect_results({"pareto", files_.path(), "--criteria", "objective", "effort_rate/rms", "--levels", "2",
                   "--max-evaluations", "6"},
                  {"pareto.csv", "points/01.yaml", "study.yaml", "run.json"});

@@ -23,9 +23,7 @@ TEST(Help, OfTheProgramShowsHowToBeginAndWhatExitCodesMean) {
   const Finished help = run_program({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  EXPECT_THAT(help.out,
-              AllOf(HasSubstr("armtune simulate moving_target"), HasSubstr("robot"), HasSubstr("simulate"),
-                    HasSubstr("tune"), HasSubstr("compare"), HasSubstr("130 interrupted")));
+  EXPECT_THAT(help.out, AllOf(HasSubstr("armtune simulate moving_target"), HasSubstr("130 interrupted")));
 }
 
 /// What `armtune COMMAND OPTION` prints, every run of blanks as one: descriptions are wrapped.
@@ -59,6 +57,7 @@ std::vector<std::string> commands() {
 }
 
 TEST(Help, OfEveryCommandEndsWithTheExitCodesOnce) {
+  EXPECT_THAT(commands(), testing::IsSupersetOf({"robot", "simulate", "tune", "compare"}));
   for (const std::string& command : commands()) {
     const std::string text = help(command);
     const auto codes = text.find("Exit codes: ");
@@ -68,35 +67,44 @@ TEST(Help, OfEveryCommandEndsWithTheExitCodesOnce) {
   }
 }
 
-TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
-  EXPECT_THAT(help("robot"), HasSubstr("ur10"));
-  EXPECT_THAT(help("simulate"), AllOf(HasSubstr("moving_target"), HasSubstr("realistic_obstacle_pass"),
-                                      HasSubstr("published"), HasSubstr("--out")));
+TEST(Help, OfEveryCommandShowsTheOptionsThatABeginnerNeeds) {
+  const std::map<std::string, std::vector<std::string>> expected = {
+      {"simulate", {"--out"}},
+      {"tune", {"--max-evaluations", "--seed", "--warm-start"}},
+      {"robustness", {"--payload", "--limit"}},
+      {"margins", {"--limit"}},
+      {"plan", {"--knots"}},
+      {"report", {"--out"}}};
+  for (const auto& [command, names] : expected)
+    EXPECT_THAT(options(command, "--help"), testing::IsSupersetOf(names)) << command;
+  for (const char* command : {"tune", "pareto", "robustness", "sensitivity"})
+    EXPECT_THAT(options(command, "--help-all"), testing::Contains("--rollout-deadline")) << command;
+}
+
+TEST(Help, OfEveryCommandNamesWhatIsBundledAndWhatItDoes) {
+  const std::pair<const char*, std::vector<const char*>> expected[] = {
+      {"robot", {"ur10"}},
+      {"simulate", {"moving_target", "realistic_obstacle_pass", "published", "report.html"}},
+      {"tune", {"ur10_gaze", "armtune metrics", "armtune algorithms", "armtune controllers"}},
+      {"robustness", {"1000", "report.html"}},
+      {"margins", {"control_rate", "1 % of the control periods", "armtune margins extended_tuned"}},
+      {"plan", {"ur10_switch", "fastest", "slowly first"}},
+      {"yardstick", {"RUN", "a local optimum"}},
+      {"compare", {"report.html"}},
+      {"report", {"DIR", "report.html"}}};
+  for (const auto& [command, texts] : expected) {
+    const std::string shown = help(command);
+    for (const char* text : texts) EXPECT_THAT(shown, HasSubstr(text)) << command;
+  }
   EXPECT_THAT(help("simulate", "--help-all"), HasSubstr("midpoint"));
-  EXPECT_THAT(help("tune"), AllOf(HasSubstr("ur10_gaze"), HasSubstr("--max-evaluations"), HasSubstr("--seed"),
-                                  HasSubstr("--warm-start"), HasSubstr("armtune metrics"),
-                                  HasSubstr("armtune algorithms"), HasSubstr("armtune controllers")));
-  EXPECT_THAT(help("robustness"), AllOf(HasSubstr("--payload"), HasSubstr("--limit"), HasSubstr("1000")));
-  for (const char* command : {"tune", "pareto", "robustness", "sensitivity"}) {
-    EXPECT_THAT(help(command, "--help-all"),
-                AllOf(HasSubstr("--rollout-deadline"), HasSubstr("every rank is one worker")))
-        << command;
-  }
-  EXPECT_THAT(help("margins"), AllOf(HasSubstr("control_rate"), HasSubstr("1 % of the control periods"),
-                                     HasSubstr("--limit"), HasSubstr("armtune margins extended_tuned")));
-  EXPECT_THAT(help("plan"), AllOf(HasSubstr("ur10_switch"), HasSubstr("--knots"), HasSubstr("fastest"),
-                                  HasSubstr("slowly first")));
-  EXPECT_THAT(help("yardstick"), AllOf(HasSubstr("RUN"), HasSubstr("a local optimum")));
-  EXPECT_THAT(help("report"), AllOf(HasSubstr("DIR"), HasSubstr("--out"), HasSubstr("report.html")));
-  for (const char* command : {"simulate", "compare", "robustness"}) {
-    EXPECT_THAT(help(command), HasSubstr("report.html")) << command;
-  }
+  for (const char* command : {"tune", "pareto", "robustness", "sensitivity"})
+    EXPECT_THAT(help(command, "--help-all"), HasSubstr("every rank is one worker")) << command;
 }
 
 // CLI11 has them between an option's name and its description, where they read as one sentence.
 TEST(Help, LimitsDefaultsAndOtherOptionsStandBehindADescription) {
-  EXPECT_THAT(help("margins"), HasSubstr("--workers INT"));
-  EXPECT_THAT(help("margins"), HasSubstr("(1 to 1024; default: one per processor)"));
+  EXPECT_THAT(help("margins"), testing::ContainsRegex("--workers INT [^-]*\\(1 to 1024; default: one per "
+                                                      "processor\\)"));
   EXPECT_THAT(help("tune"), HasSubstr("(at least 1; default: study's value)"));
   EXPECT_THAT(help("tune", "--help-all"), HasSubstr("(default: rad; only with")) << "a flag has one as well";
   const std::string extended = help("simulate");
@@ -173,8 +181,8 @@ TEST(Lists, HoldEveryMetricWithUnitAndDirectionAndEveryAlgorithm) {
 TEST(Help, VersionNamesTheLibraries) {
   const Finished version = run_program({"--version"});
   EXPECT_EQ(version.exit_code, 0);
-  EXPECT_THAT(version.out, AllOf(HasSubstr("armtune 0."), HasSubstr("simbody 3."), HasSubstr("nlopt "),
-                                 HasSubstr("eigen 3."), HasSubstr("yaml_cpp "), HasSubstr("open_mpi ")));
+  for (const char* library : {"armtune 0.", "simbody 3.", "nlopt ", "eigen 3.", "yaml_cpp ", "open_mpi "})
+    EXPECT_THAT(version.out, HasSubstr(library));
 }
 
 TEST(Help, WrongUsageEndsWithTwo) {
@@ -216,8 +224,10 @@ TEST(Robot, SaysWhichOfItsValuesAreEstimatedUnknownOrDoubtful) {
   const Finished youbot = run_program({"robot", "youbot"});
   EXPECT_THAT(youbot.out,
               testing::Not(testing::AnyOf(HasSubstr("* an estimate"), HasSubstr("friction: none given"))));
-  EXPECT_THAT(youbot.out, AllOf(HasSubstr("Rotor inertia: published"), HasSubstr("drawn (visual) shapes of "),
-                                HasSubstr("arm_link_1")));
+  EXPECT_THAT(youbot.out,
+              AllOf(HasSubstr("Rotor inertia: published"), HasSubstr("Viscous friction: estimated"),
+                    HasSubstr("Coulomb friction: estimated"), HasSubstr("drawn (visual) shapes of "),
+                    HasSubstr("arm_link_1")));
 }
 
 TEST(Help, SaysWhatIsWrongWhereTheBundledDataIsMissing) {

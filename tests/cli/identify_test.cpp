@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "tests/cli/support/program.hpp"
+#include "tests/cli/support/refused_command.hpp"
+#include "tests/core/support/refused_at.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/run/support/records.hpp"
@@ -12,6 +14,8 @@ namespace armtune::internal {
 namespace identify_test {
 
 using test::Finished;
+using test::refused_at;
+using test::refused_command;
 using test::run_program;
 using testing::HasSubstr;
 
@@ -95,26 +99,20 @@ TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
   const test::TemporaryFolder folder;
   const Finished missing = run_program({"identify", "--robot", "ur10", folder / "nowhere.csv"});
   EXPECT_EQ(missing.exit_code, 2);
-  const Finished columns =
-      run_program({"identify", "--robot", "ur10", folder.write("log.csv", "t,q\n0,1\n1,2\n")});
-  EXPECT_EQ(columns.exit_code, 2);
-  EXPECT_THAT(columns.err, HasSubstr("'time'"));
-  const Finished center = run_program({"excite", "ur10", "--center", "0,0", "--out", folder / "out"});
-  EXPECT_EQ(center.exit_code, 2);
-  EXPECT_THAT(center.err, HasSubstr("6 joints"));
-  const Finished fast =
-      run_program({"excite", "ur10", "--frequency", "5", "--harmonics", "5", "--out", folder / "out"});
-  EXPECT_EQ(fast.exit_code, 2);
-  EXPECT_THAT(fast.err, HasSubstr("must not exceed 20 Hz"));
-  const Finished fades =
-      run_program({"excite", "ur10", "--duration", "3", "--fade", "2", "--out", folder / "out"});
-  EXPECT_EQ(fades.exit_code, 2);
-  EXPECT_THAT(fades.err, HasSubstr("2 s each do not fit in a duration of 3 s"));
+  const std::string log = folder.write("log.csv", "t,q\n0,1\n1,2\n");
+  EXPECT_THAT(refused_command({"identify", "--robot", "ur10", log}),
+              refused_at({.file = log, .line = 1, .key = "time"}));
+  EXPECT_THAT(refused_command({"excite", "ur10", "--center", "0,0", "--out", folder / "out"}).what(),
+              testing::StartsWith("--center has 2 values, but ur10 has 6 joints"));
+  EXPECT_THAT(
+      refused_command({"excite", "ur10", "--frequency", "5", "--harmonics", "5", "--out", folder / "out"}),
+      refused_at({.key = "harmonics", .value = "5", .limit = "at most 20 Hz"}));
+  EXPECT_THAT(refused_command({"excite", "ur10", "--duration", "3", "--fade", "2", "--out", folder / "out"}),
+              refused_at({.key = "fade", .value = "2", .limit = "at most 1.5 s"}));
   // Of the UR5e's joint names, and another arm.
-  const Finished other =
-      run_program({"excite", "ur5e", "--scenario", "moving_target", "--out", folder / "out"});
-  EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.err, testing::AllOf(HasSubstr("ur10"), HasSubstr("ur5e")));
+  EXPECT_THAT(
+      refused_command({"excite", "ur5e", "--scenario", "moving_target", "--out", folder / "out"}).what(),
+      testing::StartsWith("moving_target: the scenario's robot is ur10, but ROBOT is ur5e"));
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 

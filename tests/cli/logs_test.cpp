@@ -8,6 +8,7 @@
 
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
 namespace logs_test {
@@ -43,6 +44,25 @@ TEST(Logs, SaysWhatChannelsLookLike) {
   EXPECT_THAT(done.out, ContainsRegex("actual_qd_0..1 .* rad/s +velocities .certain.\n"));
   EXPECT_THAT(done.out, ContainsRegex("actual_current_0..1 .* A +currents"));
   EXPECT_THAT(done.out, ContainsRegex("\nnext: armtune [^\n]*\n$"));
+}
+
+TEST(Logs, ListsTheMcapFileThatSimulateWrites) {
+  const test::ShortStudy files;
+  const std::vector<std::string> simulate = {"simulate", files / "short.yaml", "--gains",
+                                             files / "gains.yaml", "--mcap"};
+  const Finished refused = run_program(simulate);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("--mcap"), HasSubstr("--out")));
+  std::vector<std::string> with_folder = simulate;
+  with_folder.insert(with_folder.end(), {"--out", files / "run"});
+  const Finished simulated = run_program(with_folder);
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  EXPECT_THAT(simulated.out, HasSubstr("rollout_<scenario>.mcap"));
+  const Finished listed = run_program({"logs", files / "run/rollout_short.mcap", "--topic", "/joint_states"});
+  EXPECT_EQ(listed.exit_code, 0) << listed.err;
+  EXPECT_EQ(listed.err, "");
+  EXPECT_THAT(listed.out, ContainsRegex("/joint_states +800 +100 ")) << "8 s at 100 Hz";
+  EXPECT_THAT(listed.out, ContainsRegex("rad +positions .(certain|likely)."));
 }
 
 TEST(Logs, FitsEightyColumnsAndListsEveryChannelIfAsked) {

@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "tests/cli/support/program.hpp"
+#include "tests/cli/support/refused_command.hpp"
+#include "tests/core/support/refused_at.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
@@ -58,16 +60,15 @@ TEST_F(MarginsProgram, SaysSoWhereNotEvenTheNominalStands) {
 }
 
 TEST_F(MarginsProgram, BadInputEndsWithTwo) {
-  const Finished limit = margins({"--out", folder_ / "limit", "--limit", "speed<=1"});
-  EXPECT_EQ(limit.exit_code, 2);
-  EXPECT_THAT(limit.err, HasSubstr("no metric 'speed'"));
+  const std::vector<std::string> one = {"margins", files_ / "gains.yaml", "--scenarios", scenario_};
+  std::vector<std::string> limit = one;
+  limit.insert(limit.end(), {"--out", folder_ / "limit", "--limit", "speed<=1"});
+  EXPECT_THAT(test::refused_command(limit), test::refused_at({.key = "limit", .value = "speed"}));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "limit"));
-  const Finished twice = margins({scenario_});
-  EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_THAT(twice.err, HasSubstr("two scenarios have the name five_seconds"));
-  const Finished nowhere = run_program({"margins", "nowhere"});
-  EXPECT_EQ(nowhere.exit_code, 2);
-  EXPECT_THAT(nowhere.err, HasSubstr("nowhere"));
+  std::vector<std::string> twice = one;
+  twice.push_back(scenario_);
+  EXPECT_THAT(test::refused_command(twice).what(), HasSubstr("two scenarios have the name five_seconds"));
+  EXPECT_THAT(test::refused_command({"margins", "nowhere"}), test::refused_at({.value = "nowhere"}));
 }
 
 TEST_F(MarginsProgram, AnInterruptKeepsWhatIsFinished) {

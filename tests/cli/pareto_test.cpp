@@ -82,14 +82,14 @@ TEST(ParetoCommand, TradesOffWithAnotherController) {
 }
 
 TEST(ParetoCommand, RefusesWhatItCannotTradeOff) {
-  const Finished twice =
-      run_program({"pareto", files().path(), "--criteria", "gaze/rms", "gaze/rms", "--out", files() / "x"});
-  EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_THAT(twice.err, HasSubstr("gaze/rms is given twice"));
-  const Finished unknown =
-      run_program({"pareto", files().path(), "--criteria", "gaze/rms", "speed", "--out", files() / "x"});
-  EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("'speed' is neither 'objective' nor a metric"));
+  const auto refused = [](const char* criterion) {
+    const Finished finished =
+        run_program({"pareto", files().path(), "--criteria", "gaze/rms", criterion, "--out", files() / "x"});
+    EXPECT_EQ(finished.exit_code, 2);
+    return finished.err;
+  };
+  EXPECT_THAT(refused("gaze/rms"), HasSubstr("gaze/rms is given twice"));
+  EXPECT_THAT(refused("speed"), HasSubstr("'speed' is neither 'objective' nor a metric"));
   const Finished one = run_program({"pareto", files().path(), "--criteria", "gaze/rms"});
   EXPECT_EQ(one.exit_code, 2);
 }

@@ -10,6 +10,8 @@
 
 #include "sim/yaml/document.hpp"
 #include "tests/cli/support/program.hpp"
+#include "tests/cli/support/refused_command.hpp"
+#include "tests/core/support/refused_at.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
@@ -101,12 +103,13 @@ TEST(Robustness, WhatIsFinishedIsOnDiskWheneverItIsKilled) {
 TEST(Robustness, BadInputEndsWithTwo) {
   const test::TemporaryFolder folder;
   const std::string scenario = short_scenario(folder);
-  const Finished mass = robustness(folder, scenario, "mass", {"--mass", "1.5"});
-  EXPECT_EQ(mass.exit_code, 2);
-  EXPECT_THAT(mass.err, AllOf(HasSubstr("mass is 1.5"), HasSubstr("[0, 1)")));
-  const Finished limit = robustness(folder, scenario, "limit", {"--limit", "speed<=1"});
-  EXPECT_EQ(limit.exit_code, 2);
-  EXPECT_THAT(limit.err, HasSubstr("no metric 'speed'"));
+  const auto refused = [&](const char* option, const char* value) {
+    return test::refused_command(
+        {"robustness", "extended_tuned", "--scenarios", scenario, "--out", folder / "limit", option, value});
+  };
+  EXPECT_THAT(refused("--mass", "1.5"),
+              test::refused_at({.key = "perturbation/mass", .value = "1.5", .limit = "in [0, 1)"}));
+  EXPECT_THAT(refused("--limit", "speed<=1"), test::refused_at({.key = "limit", .value = "speed"}));
   EXPECT_FALSE(std::filesystem::exists(folder / "limit"));
 }
 

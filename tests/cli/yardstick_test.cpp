@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "tests/cli/support/program.hpp"
+#include "tests/cli/support/refused_command.hpp"
+#include "tests/core/support/refused_at.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/report/support/decode.hpp"
 #include "tests/tuner/run/support/records.hpp"
@@ -23,6 +25,8 @@ namespace fs = std::filesystem;
 using test::Csv;
 using test::Finished;
 using test::read_text;
+using test::refused_at;
+using test::refused_command;
 using test::run_program;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -108,31 +112,33 @@ TEST_F(YardstickProgram, WritesElsewhereAndLeavesTheRunAsItIs) {
   EXPECT_TRUE(fs::exists(files_ / "mine.json"));
   EXPECT_FALSE(fs::exists(files_ / "run/yardstick.csv"));
   EXPECT_EQ(read_text(files_ / "run/columns.csv"), columns);
-  const Finished again = run_program({"yardstick", files_ / "run", "--out", files_ / "mine.csv"});
-  EXPECT_EQ(again.exit_code, 2);
-  EXPECT_THAT(again.err, HasSubstr("mine.csv: exists already"));
+  EXPECT_THAT(refused_command({"yardstick", files_ / "run", "--out", files_ / "mine.csv"}),
+              refused_at({.file = files_ / "mine.csv"}));
 }
 
 TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {
   ASSERT_EQ(simulate("run").exit_code, 0);
   const auto refused = [&](std::vector<std::string> args) {
     args.insert(args.begin(), "yardstick");
-    const Finished finished = run_program(args);
-    EXPECT_EQ(finished.exit_code, 2);
-    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
-    return finished.err;
+    return refused_command(args);
   };
   files_.write("quick_switch.yaml", "base: target_switch\nduration: 6\nswitch_every: 3\n");
-  EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("has changed"), HasSubstr("--scenarios")));
+  EXPECT_THAT(refused({files_ / "run"}), refused_at({.file = testing::EndsWith("quick_switch.yaml")}));
   fs::rename(scenario_, files_ / "away.yaml");
-  EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("'quick_switch'"), HasSubstr("no longer exists"),
-                                               HasSubstr("--scenarios FILE")));
+  const auto of_rollout = refused_at({.file = testing::EndsWith("/run/rollout_quick_switch.csv")});
+  const InputError moved = refused({files_ / "run"});
+  EXPECT_THAT(moved, of_rollout);
+  EXPECT_THAT(moved.what(), testing::ContainsRegex("no longer exists.*--scenarios FILE"));
   fs::remove(files_ / "run/run.json");
-  EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("is not bundled"), HasSubstr("--scenarios FILE")));
-  EXPECT_THAT(refused({files_ / "run", "--scenarios", "moving_target"}),
-              AllOf(HasSubstr("rollout_moving_target.csv: no such file"), Not(HasSubstr("report"))));
-  EXPECT_THAT(refused({files_ / ""}), AllOf(HasSubstr("has no rollout_*.csv"), HasSubstr("/run")));
-  EXPECT_THAT(refused({files_ / "nowhere"}), HasSubstr("nowhere: is not a folder"));
+  const InputError unknown = refused({files_ / "run"});
+  EXPECT_THAT(unknown, of_rollout);
+  EXPECT_THAT(unknown.what(), testing::ContainsRegex("is not bundled.*--scenarios FILE"));
+  EXPECT_THAT(refused({files_ / "run", "--scenarios", "moving_target"}).what(),
+              HasSubstr("/run/rollout_moving_target.csv: "));
+  const InputError above = refused({files_ / ""});
+  EXPECT_THAT(above, refused_at({.file = files_ / ""}));
+  EXPECT_THAT(above.what(), testing::EndsWith("/run"));
+  EXPECT_THAT(refused({files_ / "nowhere"}), refused_at({.file = files_ / "nowhere"}));
 }
 
 TEST_F(YardstickProgram, NoticesAChangedScenarioThatTheRunNamedByARelativePath) {

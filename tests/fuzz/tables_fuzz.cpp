@@ -27,7 +27,9 @@ constexpr Kind kKinds[] = {{"verdict.yaml"},
                            {"pareto.csv", {}, RunKind::kPareto},
                            {"errors_one.csv", {"scene.json", "evaluations.csv"}, RunKind::kCompare},
                            {"motion.csv", {"errors.csv", "evaluations.csv"}, RunKind::kPlan},
-                           {"limits.csv", {"errors.csv", "evaluations.csv"}, RunKind::kPlan}};
+                           {"limits.csv", {"errors.csv", "evaluations.csv"}, RunKind::kPlan},
+                           {"residuals.csv", {"errors.csv", "evaluations.csv"}, RunKind::kValidate},
+                           {"horizons.csv", {"errors.csv", "evaluations.csv"}, RunKind::kValidate}};
 
 /// Returns a record with the facts that the pages of the other kinds of runs need.
 std::string record_of(RunKind kind) {
@@ -37,6 +39,7 @@ std::string record_of(RunKind kind) {
   run.front = {{"objective", "joint_velocity/max_ratio"}, 2, true, 0.5};
   run.robustness.emplace().limits = {{"gaze/rms", true, 0.1}, {"joint_velocity/max_ratio", true, 1.0}};
   run.plan.emplace().headline = "0.1 s is the least time";
+  run.validation.emplace().headline = "the arm matches the log";
   return run_record_json(run);
 }
 

@@ -1,9 +1,13 @@
 // Writes and reads MCAP files with the format's own library, @mcap/core. The arguments and the printed JSON are
 // those of benchmarks/mcap.cpp; `indexed FILE` reads by the index of the file instead of from front to back.
+// `values FILE` prints {topic: {type, encoding, messages: [[time in ns, message]]}}, with every message decoded by the
+// schema in the file.
 
 import { open } from "node:fs/promises";
 import { McapIndexedReader, McapStreamReader, McapWriter } from "@mcap/core";
 import { crc32Final, crc32Init, crc32Update } from "@foxglove/crc";
+import { parse } from "@foxglove/rosmsg";
+import { MessageReader } from "@foxglove/rosmsg2-serialization";
 import decompressLz4 from "@foxglove/wasm-lz4";
 import zstd from "@foxglove/wasm-zstd";
 import lz4 from "lz4js";
@@ -150,8 +154,26 @@ async function readIndexed(path) {
   counter.print();
 }
 
+async function readValues(path) {
+  const reader = await McapIndexedReader.Initialize({ readable: new File(await open(path)), decompressHandlers });
+  const topics = {};
+  const decoders = new Map(); // by the number of the channel
+  for (const { id, topic, schemaId, messageEncoding } of reader.channelsById.values()) {
+    const schema = reader.schemasById.get(schemaId);
+    decoders.set(id, new MessageReader(parse(new TextDecoder().decode(schema.data), { ros2: true })));
+    topics[topic] = { type: schema.name, encoding: `${messageEncoding} ${schema.encoding}`, messages: [] };
+  }
+  for await (const { channelId, logTime, data } of reader.readMessages()) {
+    const { topic } = reader.channelsById.get(channelId);
+    topics[topic].messages.push([Number(logTime), decoders.get(channelId).readMessage(data)]);
+  }
+  const text = JSON.stringify(topics, (_, value) => (ArrayBuffer.isView(value) ? Array.from(value) : value));
+  await new Promise((done) => process.stdout.write(text + "\n", done)); // all of it, before the program exits
+}
+
 const [what, path, compression, messages, numbers] = process.argv.slice(2);
 if (what === "write") await write(path, compression, Number(messages), Number(numbers));
 else if (what === "indexed") await readIndexed(path);
+else if (what === "values") await readValues(path);
 else await read(path, what === "check");
 process.exit(0);

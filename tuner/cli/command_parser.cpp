@@ -42,6 +42,7 @@ void add_commands(CLI::App& app, int& exit_code) {
 #ifdef ARMTUNE_SUITESPARSE
   add_excite_command(app, exit_code);
   add_identify_command(app, exit_code);
+  add_validate_command(app, exit_code);
   add_plan_command(app, exit_code);
   add_yardstick_command(app, exit_code);
 #endif

@@ -10,6 +10,7 @@
 #include "tuner/cli/endurance_option.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/mcap_option.hpp"
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
@@ -92,6 +93,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                             ->add_option("--out", settings.folder,
                                          "new folder for comparison.csv, errors_<set>.csv and report.html")
                             ->default_str("no files");
+  add_mcap_option(*command, settings.mcap)->needs(folder);
   CLI::Option* gains = command->add_flag("--gains", args->gains_only,
                                          "print only the gains that differ, side by side; nothing is "
                                          "simulated");

@@ -33,9 +33,10 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
       "the arm: a URDF (or a xacro file with --xacro), a robot YAML, or a bundled robot such as ur5e");
   CLI::Option* controllers = command.add_option(
       "--controllers", inputs.controllers,
-      "your unchanged ROS parameter file. It has the controller to tune: a joint_trajectory_controller, or "
+      "your unchanged ROS parameter file, with the controller to tune: a joint_trajectory_controller, or "
       "the joint impedance controller of a Franka. For a file of any other form, such as that of a Cartesian "
-      "impedance controller, give a map of gains here (docs/file_formats.md)");
+      "impedance controller, give here a YAML file of yours that says where its gains are (a map, "
+      "docs/file_formats.md)");
   CLI::Option* trajectory =
       command
           .add_option(

@@ -18,8 +18,9 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
 /// empty if it was interrupted.
 std::string write_study(const ControllerStudyInputs& inputs, const std::string& folder);
 
-/// Calls write_study for a run with the folder of study_folder_beside, and returns the same. If the run is
-/// resumed, its study exists already, and nothing is written.
+/// Calls write_study for a run. The study goes into the folder that study_folder_beside names. Returns what
+/// write_study returns. The study of a resumed run exists already; then nothing is written, and its path is
+/// returned.
 std::string study_beside_run(const ControllerStudyInputs& inputs, RunPlace& place, bool several_ranks);
 
 }  // namespace armtune::internal::cli

@@ -51,9 +51,10 @@ std::string controllers_text() {
   return text +
          "\n* tuned by default, within the range shown. 'start' is the start value of the gain.\n"
          "Kp is the start value of task_space_gains_p for the same axis.\n"
-         "only up to a given bound: tuned if the study gives 'upper', or 'armtune tune' --max-stiffness.\n"
+         "'only up to a given bound': tuned only if the key 'upper' of the study, or the option\n"
+         "--max-stiffness of armtune tune, gives the largest value.\n"
          "number: one value; per joint: one for each joint; per point: one for each joint origin or link;\n"
-         "task: six values, for x y z and for the rotations about x y z.\n"
+         "task: six values, for x y z and for the rotations about x y z; switch: one of two settings.\n"
          "A gains file names its controller with the key 'controller: NAME'; without this key the file is\n"
          "for the adaptive controller.\n"
          "To tune another controller than the one in a study: armtune tune STUDY --controller NAME\n";

@@ -1,6 +1,7 @@
 #pragma once
-// The option "--endurance [MINUTES]" of `armtune simulate` and `armtune compare`, and its printed results. It
-// extends every scenario to that many simulated minutes, to find faults that appear only after a long time.
+// The option "--endurance [MINUTES]" of `armtune simulate` and `armtune compare`, and its printed results.
+// The option extends every scenario to that many simulated minutes, to find faults that appear only after a
+// long time.
 
 #include <string>
 #include <vector>

@@ -51,12 +51,11 @@ void add_excite_command(CLI::App& app, int& exit_code) {
                    "standard deviation of the noise that is added to the logged torques [N m, N]")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  command->add_flag("--payload", settings.log.payload,
-                    "simulate the logs with the scenario's payload at the tool");
+  command->add_flag("--payload", settings.log.payload, "let the simulated tool carry the scenario's payload");
   command->footer(
-      "The motion keeps the arm from touching itself and the cell of its robot file, as far as shapes are\n"
-      "known. The output says what was checked. Obstacles and cells of scenarios are not. Check\n"
-      "trajectory.csv, and run the trajectory slowly first.\n\n"
+      "The motion keeps the arm from touching itself and the cell of its robot file, as far as the\n"
+      "shapes of the links are known. The output says what was checked. Obstacles and cells of scenarios\n"
+      "are never checked. Look at trajectory.csv, and run the trajectory slowly first.\n\n"
       "Example:\n  armtune excite ur10 --center 0,-90,-60,-90,90,0 --min-height 0.1 --out runs/excite "
       "--scenario moving_target\n"
       "  armtune identify runs/excite/log_moving_target.csv --robot ur10 --out runs/identified\n");

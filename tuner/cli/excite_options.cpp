@@ -88,7 +88,7 @@ ExciteSettings settings_of(const ExciteArguments& args) {
     const RobotModel& robot = *settings.scenarios.emplace_back(load_scenario(name)).robot;
     if (robot.name == settings.model->name && joint_names(robot) != joint_names(*settings.model)) {
       throw InputError(fmt::format(
-          "{}: the scenario's robot has the same name as ROBOT, {}, but other joints; give the robot "
+          "{}: the scenario's robot and ROBOT are both named {}, but have different joints; give the robot "
           "file of the scenario as ROBOT",
           name, robot.name));
     }

@@ -15,8 +15,8 @@ void ExcitePrinter::designed(const ExciteOutcome& so_far) {
                     so_far.design->evaluations, so_far.design->random_condition));
     if (so_far.design->scale < 1.0)
       say(fmt::format(
-          "The best trajectory came too near to a contact; its amplitudes are reduced to {:.3g} of "
-          "what they were.\n",
+          "The best trajectory brought the arm too near to a contact, so its amplitudes were multiplied by "
+          "{:.3g}.\n",
           so_far.design->scale));
   }
   const ExcitationUse& use = so_far.use;

@@ -40,8 +40,8 @@ std::string changed_controllers(const ExportArguments& args, const GainsFile& ga
   const std::string kind = controller_gains(file.controller, file.path, gains.joints).controller;
   if (gains.gains.controller != kind) {
     throw InputError(
-        fmt::format("{}: the gains are for the controller '{}', but {} is a {}; give gains of that "
-                    "controller, or export without --into",
+        fmt::format("{}: the gains are for the controller '{}', but {} in the file of --into is a {}; give "
+                    "gains for the controller in the file, or export without --into",
                     args.what.set, gains.gains.controller, file.controller.name, kind));
   }
   return with_gains(file.text, file.controller, file.path, gains.gains, gains.joints);
@@ -58,10 +58,9 @@ int run_export(const ExportArguments& args) {
     file.gains = load_gains(path, file.joints);
   } catch (const yaml::OtherJoints& e) {
     if (!args.what.robot.empty()) throw;
-    throw InputError(
-        fmt::format("{}. The gains were read for the arm {}; if they are for another arm, name it with "
-                    "--robot",
-                    e.what(), robot->name));
+    throw e.with(
+        fmt::format(". The gains were read for the arm {}; if they are for another arm, name it with --robot",
+                    robot->name));
   }
   file.node = args.node;
   file.origin = origin_of(args.what, path, run, robot->source);
@@ -96,10 +95,10 @@ void add_export_command(CLI::App& app, int& exit_code) {
       "ROS parameter file of the gains' controller, or a map of gains (docs/file_formats.md); the output is "
       "a copy of the parameter file in which only the gains are changed");
   into->excludes("--format");
-  command->add_option(
-      "--node", args->node,
-      "node or namespace of the parameters in the output (default: simple_effort_ctrl; with ros2 the "
-      "pattern /**, which means every node). With --into: name of the controller, if the file has several");
+  command->add_option("--node", args->node,
+                      "node or namespace of the parameters in the output (default: simple_effort_ctrl; with "
+                      "--format ros2 the pattern /**, which means every node). With --into: name of the "
+                      "controller, if the file has several");
   command
       ->add_option("--robot", args->what.robot,
                    "arm that the gains are made for: a bundled robot, a robot YAML or a URDF")

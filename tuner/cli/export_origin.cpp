@@ -64,9 +64,10 @@ std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& 
   origin.insert(
       origin.begin(),
       {"warning",
-       fmt::format("this run's objective, limits and margins do not apply to these {}; simulate the gains "
-                   "first",
-                   of_other_arm ? "gains on this arm" : "gains, which are from another file of the run")});
+       fmt::format(
+           "this run's objective, limits and margins do not apply to these gains{}; simulate them first",
+           of_other_arm ? " on this arm, which is not the arm of the run"
+                        : ", which are not those of its gains.yaml")});
   const auto others = origin_of_inputs(other_files);
   origin.insert(origin.end(), others.begin(), others.end());
   return origin;

@@ -1,6 +1,6 @@
 #pragma once
-// Reads the command line argument RUN_OR_GAINS. It names bundled gains, a gains file, or the folder of an
-// earlier run. A folder stands for the gains in it and for the scenarios of its study.
+// Reads the command line argument RUN_OR_GAINS. The argument names bundled gains, a gains file, or the folder
+// of an earlier run. A folder stands for the gains in it and for the scenarios of its study.
 
 #include <string>
 #include <vector>
@@ -24,8 +24,8 @@ struct GainSet {
 };
 
 /// Reads the gains of a set, for the robot of the first scenario. scenarios: at least one. Throws InputError
-/// if the gains do not fit the robot of every scenario. Also throws if the tool's path makes a joint drift
-/// beyond its position limits, whatever the gains are.
+/// if the gains are not valid for the robot of every scenario. Also throws if the tool's path makes a joint
+/// drift beyond its position limits, whatever the gains are.
 GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios);
 
 /// Returns the gain set in a file. The file is read for each scenario, with the joints of its robot. name:

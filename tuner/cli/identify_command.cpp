@@ -60,8 +60,8 @@ void add_identify_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--cutoff", settings.options.rows.cutoff,
                    "cutoff frequency of the zero-phase filter [Hz]. Use about five times the highest "
-                   "frequency of the motion. A lower value removes more noise, a higher one keeps the jumps "
-                   "of the friction")
+                   "frequency of the motion. A lower value removes more noise. A higher value keeps more of "
+                   "the jumps of friction when a joint reverses")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   command
@@ -82,7 +82,7 @@ void add_identify_command(CLI::App& app, int& exit_code) {
       "Record a motion that moves every joint through its range at several speeds (armtune excite designs "
       "one), then:\n"
       "  armtune identify log.csv --robot my_arm.yaml --out runs/identified\n"
-      "To start the controller of a scenario from the result, add this line to the scenario:\n"
+      "To start a scenario's controller with the identified parameters, add this line to the scenario:\n"
       "  theta_start: {file: runs/identified/theta.yaml}\n"
       "Example of a column map (--columns):\n"
       "  time: t\n"

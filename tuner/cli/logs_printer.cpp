@@ -119,6 +119,14 @@ bool is_of_a_robot(const std::vector<GroupMeaning>& meanings) {
   });
 }
 
+/// True if some channels look like the positions of joints.
+bool has_joints(const TopicSummary& topic) {
+  const std::vector<GroupMeaning> meanings = find_meanings(topic);
+  return std::any_of(meanings.begin(), meanings.end(), [](const GroupMeaning& meaning) {
+    return meaning.quantity == Quantity::kPosition && meaning.role == Role::kMeasured;
+  });
+}
+
 std::string topic_text(const TopicSummary& topic, bool all, bool only) {
   const std::string head = fmt::format("\n{} ({})\n", topic.name, topic.type);
   if (!topic.trouble.empty() && topic.channels.empty()) return head + "  " + topic.trouble + "\n";
@@ -146,21 +154,15 @@ std::string log_text(const LogSummary& summary, bool all) {
 std::string next_step(const LogSummary& summary) {
   std::string file;
   for (const std::string& path : summary.files) file += (file.empty() ? "" : " ") + shell_word(path);
-  const bool joined = summary.files.size() > 1;
-  if (joined) file += " --join";
+  const std::string inputs = file;
+  if (summary.files.size() > 1) file += " --join";
   for (const TopicSummary& topic : summary.topics) {
     if (topic.channels.empty() && !topic.trouble.empty())
       return fmt::format("next: armtune logs {} --msg-path FOLDER (with PACKAGE/msg/TYPE.msg)\n", file);
   }
-  const TopicSummary& first = summary.topics.front();
-  if (first.type != "csv") return fmt::format("next: armtune logs {} --all\n", file);
-  bool torques = false;
-  for (const GroupMeaning& meaning : find_meanings(first)) {
-    torques = torques || meaning.quantity == Quantity::kTorque || meaning.quantity == Quantity::kDrive ||
-              meaning.quantity == Quantity::kCurrent;
-  }
-  return torques && !joined ? fmt::format("next: armtune identify {} --robot ARM --columns MAP.yaml\n", file)
-                            : fmt::format("next: armtune logs {} --all\n", file);
+  const bool joints = std::any_of(summary.topics.begin(), summary.topics.end(), has_joints);
+  const std::string validate = fmt::format("next: armtune validate {} --robot ARM\n", inputs);
+  return joints ? validate : fmt::format("next: armtune logs {} --all\n", file);
 }
 
 }  // namespace armtune::internal::cli

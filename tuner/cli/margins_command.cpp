@@ -54,7 +54,7 @@ int run_margins(const MarginsArguments& args) {
 
 std::string help_footer() {
   std::string text =
-      "Margins (only one quantity at a time is changed from its value in the scenario or the gains):\n";
+      "Margins (only one quantity at a time is changed from its value in the scenario or in the gains file):\n";
   for (const MarginField& field : margin_fields()) {
     text += fmt::format("  {:<16} {} [{}]\n", field.name, field.meaning, field.unit);
   }

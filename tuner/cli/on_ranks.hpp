@@ -12,8 +12,8 @@ namespace armtune::internal::cli {
 
 /// Runs `program` in this process alone, or in each of the ranks that mpirun or srun started. Returns the
 /// exit code of the run, which is the same in every rank. If ranks were started with different command lines,
-/// they end before they call `program`. In `program`, a command that uses ranks calls team().begin. If this
-/// returns false, the command returns kDone. Only rank 0 prints.
+/// they end before they call `program`. In `program`, a command that uses ranks calls team().begin. If that
+/// call returns false, the command must return kDone. Only rank 0 prints.
 int on_ranks(const std::string& command_line, const std::function<int()>& program);
 
 /// Returns the group of ranks of this run. To be called only inside the `program` of on_ranks.
@@ -25,7 +25,7 @@ void refuse_ranks(const std::string& command);
 
 /// Prints an error on stderr and returns the exit code. Ranks other than 0 print nothing and return kDone.
 /// The reason is that mpirun ends all ranks once one of them fails, and rank 0 must print its message first.
-/// An error that occurs before the ranks are connected occurs in rank 0 too.
+/// An error that occurs before the ranks are connected occurs in rank 0 too, which then prints it.
 int report(const std::exception_ptr& failure);
 
 /// Help texts of --workers and --rollout-deadline.
@@ -45,6 +45,7 @@ inline constexpr const char* kDeadlineDefault = "20, plus 2 per simulated second
 inline constexpr const char* kLimitHelp =
     "limit that every rollout must keep: METRIC<=VALUE or METRIC>=VALUE; may be repeated";
 inline constexpr const char* kLimitDefault =
-    "the arm's limits of velocity, position and, if its file has them, acceleration; and no contact";
+    "the arm's limits of velocity, position and, if its file has them, acceleration; "
+    "and no contact of the arm with itself, its cell or obstacles";
 
 }  // namespace armtune::internal::cli

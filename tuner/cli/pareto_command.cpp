@@ -62,8 +62,8 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
       ->add_option(
           "--levels", settings.levels,
           "number of upper bounds for each criterion except the first. For each bound (with three criteria: "
-          "each pair of bounds) the first criterion is minimised. The bounds are gone through twice: from the "
-          "lowest to the highest, then back")
+          "each pair of bounds) the first criterion is minimised. The bounds are applied one after another, "
+          "from the lowest to the highest, and then back")
       ->default_str("12, or 4 with three criteria")
       ->check(CLI::Range(2, 1000));
   command
@@ -78,11 +78,11 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
                   settings.workers, settings.deadline);
   command->footer(
       "Every point of the front keeps the study's constraints. The first search minimises the first\n"
-      "criterion, with the study's search keys global, global_share, algorithm and constraints. The steps,\n"
-      "engine and seed of the study apply to all searches. The keys sweep, starts and verify_share are not\n"
-      "used. At the end the points of the front are simulated again, in addition to the budget of\n"
-      "evaluations. The front ends where a criterion cannot improve further unless another one becomes\n"
-      "worse than with the start gains.\n\n"
+      "criterion. It alone uses the keys 'global', 'global_share', 'algorithm' and 'constraints' of the\n"
+      "study's section 'search'. The steps, engine and seed of the study apply to all searches. The keys\n"
+      "'sweep', 'starts' and 'verify_share' are not used. At the end the points of the front are\n"
+      "simulated again, in addition to the budget of evaluations. The front ends where a criterion cannot\n"
+      "improve further unless another one becomes worse than with the start gains.\n\n"
       "Example:\n  armtune pareto ur10_gaze --criteria gaze/rms "
       "joint_velocity/max_ratio effort_rate/rms --levels 5\n");
   command->callback([args, &exit_code] { exit_code = run_pareto(*args, team()); });

@@ -7,6 +7,7 @@
 
 #include "sim/scenario/data_files.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/mcap_option.hpp"
 #include "tuner/cli/plan_printer.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/session_printer.hpp"
@@ -21,6 +22,7 @@ struct PlanArguments {
   int knots = 0;
   double duration = 0.0;
   int ros = 2;
+  bool mcap = false;
 };
 
 std::string tasks() {
@@ -41,13 +43,13 @@ constexpr const char* kFooter =
     "  fastest  follow the curve of the path in the least time\n\n"
     "A plan keeps the limits of joint position, velocity and torque in the robot file, and the limits of\n"
     "acceleration and jerk that the task gives. The task can also give the start acceleration, with the key\n"
-    "'acceleration' under 'start'. Without this key it is zero in two cases: the arm starts at rest and the\n"
-    "task has jerk limits, or the task is a 'move' without 'start'. Otherwise the planner chooses it.\n"
+    "'acceleration' under 'start'. Without this key it is zero (a) for an arm that starts at rest in a task\n"
+    "with jerk limits, and (b) for a 'move' without 'start'. Otherwise the planner chooses it.\n"
     "Limits of torque, tool path, gaze and distance are kept only at the knots, which are the points of\n"
     "the time grid. How much of these limits the motion uses between the knots is printed, and listed in\n"
     "limits.csv. The folder also has motion.csv (the motion at equal time steps) and report.html (replay\n"
-    "and limits). In a scenario with a 'cell' the arm keeps its clearance from the cell and from itself.\n"
-    "Without a cell these collisions are not checked. Run a trajectory slowly first.\n\n"
+    "and limits). If the task's scenario has a 'cell', the plan keeps the clearance of the arm from the cell\n"
+    "and from itself. Without a 'cell', these collisions are not checked. Run a trajectory slowly first.\n\n"
     "Bundled tasks:\n";
 constexpr const char* kExample =
     "\nExample that plans a motion, and simulates an arm that follows it:\n"
@@ -61,6 +63,7 @@ int run_plan(const PlanArguments& args) {
   if (args.duration > 0.0) settings.task.duration = args.duration;
   settings.folder = args.folder.empty() ? default_run_folder(settings.task.name) : args.folder;
   settings.ros = args.ros == 1 ? RosVersion::kRos1 : RosVersion::kRos2;
+  settings.mcap = args.mcap;
   SessionPrinter<> printer;
   return print_plan(PlanSession(settings, session_context(), printer).run(), settings);
 }
@@ -85,6 +88,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--ros", args->ros, "ROS version for which joint_trajectory.yaml is written")
       ->check(CLI::IsMember({1, 2}))
       ->capture_default_str();
+  add_mcap_option(*command, args->mcap);
   command->footer([] { return kFooter + tasks() + kExample; });
   command->callback([args, &exit_code] { exit_code = run_plan(*args); });
 }

@@ -45,7 +45,7 @@ void print_infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
     say(fmt::format("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned))));
   say(limits_text(binding_limits(planned),
                   planned.too_short ? "limits that prevent a shorter time:" : "limits reached or exceeded:"));
-  say(fmt::format("Allow {}; if the difference is small, try --knots above {}.\nNo trajectory was written.\n",
+  say(fmt::format("Allow {}; if only little is missing, try --knots above {}.\nNo trajectory was written.\n",
                   planned.too_short ? "more time, or wider limits or tolerances"
                                     : "wider limits or tolerances, or another start state",
                   planned.trajectory.time.size() - 1));

@@ -55,7 +55,8 @@ void add_run_options(CLI::App& command, const std::string& out_help, const std::
         place = {folder, true};
       },
       "resume the killed or interrupted run in this folder, with the same results as without the "
-      "interruption. Only --workers, --rollout-deadline and, with tune, --live can be changed");
+      "interruption. Of the run's options, only --workers, --rollout-deadline and, with tune, --live can be "
+      "changed");
   command.add_option("--workers", workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);

@@ -1,6 +1,6 @@
 #pragma once
 // The option --resume FOLDER. It resumes a run that was killed or interrupted, with the command line that the
-// run was started with. Also restores such a command line.
+// run was started with.
 
 #include <string>
 #include <vector>
@@ -23,9 +23,9 @@ void add_run_options(CLI::App& command, const std::string& out_help, const std::
 /// Returns the words of the command line to run, beginning with the program's name. Without --resume they are
 /// `words`. With --resume they are the words that the folder's run was started with, then --resume and the
 /// folder, then those options in `words` that may change (--workers, --rollout-deadline, --live). The current
-/// folder is changed to the one in which the run was started. If that one does not exist any more, a warning
-/// is printed instead. Throws InputError if the folder holds no journal, if its run was started
-/// by another command or through the library, or if `words` contains any other option or argument.
+/// folder is changed to the folder in which the run was started. If that folder does not exist any more, a
+/// warning is printed instead. Throws InputError if the folder holds no journal, if its run was started by
+/// another command or through the library, or if `words` contains any other option or argument.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
 
 /// Returns the command that repeats a run from its start, quoted for a shell. It works if the --out folder of

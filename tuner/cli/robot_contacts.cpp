@@ -50,10 +50,10 @@ void show_contacts(const RobotModel& model) {
         "Self-collision is checked for {} pairs of shapes, between links that are not neighbours.\n",
         contacts.pairs().size()));
   if (const auto drawn = drawn_links(contacts.arm()); !drawn.empty())
-    say(
-        fmt::format("Clearances rest on the drawn (visual) shapes of {}, which have no collision shapes.\n"
-                    "Give collision shapes with 'shapes' in a robot YAML.\n",
-                    fmt::join(drawn, ", ")));
+    say(fmt::format(
+        "Clearances are measured from the drawn (visual) shapes of {}, which have no collision\nshapes. "
+        "Give collision shapes with 'shapes' in a robot YAML.\n",
+        fmt::join(drawn, ", ")));
   const std::vector<std::string> left_out = contacts.left_out_by_their_make();
   if (!left_out.empty())
     say(

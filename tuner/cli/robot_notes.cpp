@@ -15,14 +15,20 @@
 namespace armtune::internal::cli {
 namespace {
 
+/// Prints the mark in the robot file of some of its values.
+void show_mark(const char* what, ValueSource source) {
+  if (source == ValueSource::kGiven) return;
+  say(fmt::format("{}: {}, according to the robot file.{}\n", what, name(source),
+                  source == ValueSource::kAssumed
+                      ? " Nobody measured it, so every verdict lists it as an assumption."
+                      : ""));
+}
+
 /// Prints the mark of the rotor inertia, and an estimate if the file does not give all of it.
 void show_rotors(const RobotModel& model) {
   if (!model.estimated_rotors.empty())
     say("* an estimate, from the robot file or computed from the effort and velocity limits\n");
-  if (model.rotor_source != RotorSource::kGiven)
-    say(fmt::format(
-        "Rotor inertia: {} (the mark in the robot file).{}\n", name(model.rotor_source),
-        model.rotor_source == RotorSource::kAssumed ? " Nobody measured it, as every verdict says." : ""));
+  show_mark("Rotor inertia", model.rotor_source);
   std::vector<std::string> lacking;
   for (int i = 0; i < model.n(); ++i) {
     if (model.chain.rotor_inertia[i] == 0.0)
@@ -45,8 +51,10 @@ void show_rotors(const RobotModel& model) {
       fmt::join(figures, ", ")));
 }
 
-/// Prints which joints have no friction, because no file gives any.
+/// Prints the marks of the friction, and which joints have none, because no file gives any.
 void show_friction(const RobotModel& model) {
+  show_mark("Viscous friction", model.viscous_source);
+  show_mark("Coulomb friction", model.coulomb_source);
   std::vector<std::string> lacking;
   for (int i = 0; i < model.n(); ++i) {
     if (model.chain.viscous_friction[i] == 0.0 && model.chain.coulomb_friction[i] == 0.0)
@@ -111,7 +119,8 @@ void show_interfaces(const RobotModel& model) {
   if (!without_effort.empty())
     say(fmt::format(
         "The URDF gives {} no command interface for effort. All controllers of armtune command\n"
-        "effort, except joint_trajectory_controller_velocity, which commands velocity.\n",
+        "effort, except joint_trajectory_controller_velocity, which commands velocity, and\n"
+        "position_streaming, which commands position.\n",
         without_effort.size() == model.joints.size() ? "these joints"
                                                      : fmt::format("{}", fmt::join(without_effort, ", "))));
 }

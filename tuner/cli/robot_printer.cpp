@@ -61,11 +61,17 @@ void show_robot(const RobotModel& model) {
 }
 
 void list_bundled_robots() {
-  say(fmt::format("{:<10}{:>7}{:>12}  {}\n", "robot", "joints", "reach [m]", "rotor inertia"));
+  const auto show = [](const auto&... cells) {
+    say(fmt::format("{:<10}{:>7}{:>12}  {:<14} {}\n", cells...));
+  };
+  show("robot", "joints", "reach [m]", "rotor inertia", "friction");
   for (const std::string& name : bundled_names("robots")) {
     const auto robot = load_robot(name);
-    say(fmt::format("{:<10}{:>7}{:>12.3g}  {}\n", name, robot->n(), reach(*robot),
-                    robot->estimated_rotors.empty() ? internal::name(robot->rotor_source) : "estimated"));
+    const bool rubs =
+        !robot->chain.viscous_friction.isZero(0.0) || !robot->chain.coulomb_friction.isZero(0.0);
+    show(name, robot->n(), fmt::format("{:.3g}", reach(*robot)),
+         robot->estimated_rotors.empty() ? internal::name(robot->rotor_source) : "estimated",
+         rubs ? internal::name(robot->viscous_source) : "unknown, zero");
   }
   say("\n'armtune robot NAME' shows one of them, 'armtune robot FILE.urdf' an arm of your own.\n");
 }

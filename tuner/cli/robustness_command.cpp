@@ -64,7 +64,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   Perturbation& p = args->settings.options.perturbation;
   CLI::App* command = app.add_subcommand(
       "robustness",
-      "Simulate gains on randomly changed models of the arm: share that keeps all limits, and quantiles");
+      "Simulate gains on randomly changed models of the arm, and report how many of these keep all limits");
   command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
   command->add_option("--scenarios", args->scenarios, "scenarios to simulate")
       ->default_str(

@@ -9,8 +9,8 @@
 
 namespace armtune::internal::cli {
 
-/// Returns what is missing or impossible as text, such as "velocity limit of a, b; inertia of c; physically
-/// possible inertia of d (mass -2 kg)".
+/// Returns a text that lists what is missing or impossible, such as "velocity limit of a, b; inertia of c;
+/// physically possible inertia of d (mass -2 kg)".
 std::string named(const MissingData& missing);
 
 /// Returns those data for which armtune has no proposal, so that the user must give them.

@@ -12,6 +12,7 @@
 #include "tuner/cli/endurance_option.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/mcap_option.hpp"
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
@@ -79,6 +80,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
                    "number of control periods between two rows of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  add_mcap_option(*command, settings.mcap)->needs(command->get_option("--out"));
   command->add_option("--rollout-deadline", settings.deadline, kScenarioDeadlineHelp)
       ->check(CLI::PositiveNumber)
       ->default_str(kDeadlineDefault);

@@ -13,7 +13,8 @@ void add_stiffness_option(CLI::App& command, std::vector<double>& most) {
   command
       .add_option("--max-stiffness", most,
                   "largest stiffness that an impedance controller may get [N m/rad, N/m]: one number, or one "
-                  "for each joint. For a task of the tool: two, for translations and rotations, or six")
+                  "for each joint. For a Cartesian impedance controller: two, for translations and "
+                  "rotations, or six")
       ->default_str("the stiffness is not tuned")
       ->expected(1, static_cast<int>(kMaxJoints))
       ->check(CLI::PositiveNumber);

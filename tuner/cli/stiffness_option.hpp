@@ -1,5 +1,6 @@
 #pragma once
-// The option --max-stiffness, and its use for a study that exists already.
+// The option --max-stiffness, which sets the largest stiffness that a search may give to an impedance
+// controller, for a study that exists already.
 
 #include <vector>
 
@@ -11,11 +12,13 @@ class App;
 
 namespace armtune::internal::cli {
 
-/// Adds the option. Its numbers are those of bound_stiffness.
+/// Adds the option, which writes its numbers into `most`. bound_stiffness (stiffness_bounds.hpp) gives their
+/// meaning.
 void add_stiffness_option(CLI::App& command, std::vector<double>& most);
 
-/// Tunes the stiffness of the study's controller up to `most` (bound_stiffness). If `most` is empty, prints
-/// note_on_stiffness(study) on one line if it has a text. Ranks other than 0 print nothing.
+/// Adds the stiffness of the study's controller, with the upper bounds `most`, to the tuned gains
+/// (bound_stiffness). If `most` is empty, the stiffness is not added. Prints note_on_stiffness(study) if that
+/// is not empty. Ranks other than 0 print nothing.
 void apply_stiffness(const std::vector<double>& most, Study& study);
 
 }  // namespace armtune::internal::cli

@@ -39,23 +39,26 @@ If a study names no algorithm, the search has two stages, with constraints as pe
 the whole range of every gain, with half of the evaluations and minutes that remain after the start gains
 and the sweep (the study's grid around the start gains). Then {} refines the best gains found. This
 combination was the best of those that scripts/compare-algorithms compared. With a warm start, the first
-stage is skipped, unless the study has the key global. The study.yaml in the folder of a run has this key if
-the run had the stage.
+stage is skipped, unless the study has the key 'global'. The study.yaml in the folder of a run has this key
+if the run had this first stage.
 )",
       silent.global_algorithm, silent.solver.algorithm);
   text +=
       R"(
-Other keys of search:
-  constraints      how constraints are handled. penalty: as penalties; lagrangian: by an augmented
-                   Lagrangian around the algorithm; auto: by the algorithm itself if it can, else lagrangian
+Other keys of the section 'search' of a study file:
+  constraints      how constraints are handled. penalty: violations are added to the objective; lagrangian:
+                   an augmented Lagrangian around the algorithm; auto: by the algorithm itself if it can,
+                   otherwise lagrangian
   global           algorithm of the first stage, which searches the whole range of every gain
-  global_share     share of the first stage in the evaluations and minutes that remain after the start gains
-                   and the sweep
+  global_share     share that the first stage gets of the evaluations and minutes that remain after the start
+                   gains and the sweep
   starts           number of local searches that run at once, from different start points
   differences      finite differences, for algorithms that use them: forward or central
   difference_step  step of the finite differences, as a share of each gain's range
-  engine           simbody, or native: armtune's own dynamics, several times faster and equal up to rounding
-  verify_share     with native: share of the evaluations and of max_minutes that is reserved for Simbody
+  engine           simbody, or native for armtune's own dynamics, which are several times faster and equal up
+                   to rounding
+  verify_share     with 'engine: native': share of the evaluations and of max_minutes that is reserved for
+                   simulations of the best gains in Simbody
   max_minutes      limit of the wall time from the start gains to the last evaluation, summed over all
                    sessions of a resumed run
 
@@ -90,15 +93,15 @@ std::string metrics_text() {
   }
   text += R"(
 To save time, the search abandons a rollout as soon as a constraint is violated beyond a threshold. The key
-hopeless of the constraint sets this threshold: auto, never, or a value beyond the limit. The default auto
-means twice the limit of joint_velocity/max_ratio, 0.1 rad (m) beyond the limit of joint_position/min_margin,
-and never for other metrics.
-A value can be given for an at_most limit of these metrics:
+'hopeless' of the constraint sets this threshold: 'auto', 'never', or a value beyond the limit. The default
+'auto' means twice the limit of joint_velocity/max_ratio, 0.1 rad (or m) beyond the limit of
+joint_position/min_margin, and 'never' for other metrics.
+A value can be given if the constraint is an 'at_most' limit of one of these metrics:
  )";
   for (const Metric m : all_metrics()) {
     if (can_be_hopeless(m, true)) text += fmt::format(" {}", name(m));
   }
-  text += "\nand for an at_least limit of these:\n ";
+  text += "\nor an 'at_least' limit of one of these:\n ";
   for (const Metric m : all_metrics()) {
     if (can_be_hopeless(m, false)) text += fmt::format(" {}", name(m));
   }

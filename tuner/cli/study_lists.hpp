@@ -5,7 +5,8 @@
 
 namespace armtune::internal::cli {
 
-/// Returns every search algorithm with a line on when to use it, and the other keys of a study's search.
+/// Returns every search algorithm with a line on when to use it, and the other keys below `search` in a study
+/// file.
 std::string algorithms_text();
 
 /// Returns every metric with its unit and direction, and the metrics that can end a rollout early.

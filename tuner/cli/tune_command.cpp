@@ -10,6 +10,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/controller_study_options.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/mcap_option.hpp"
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
@@ -99,6 +100,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
                    "number of control periods between two rows of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  add_mcap_option(*command, settings.mcap);
   command->add_flag(
       "!--no-analysis", settings.analysis,
       "skip the analysis after the search: stability margins, simulations of randomly changed arms, "

@@ -96,9 +96,9 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
   } else if (const std::string file = parameter_file_of(study_);
              outcome.ending != Ending::kInterrupted && !file.empty()) {
     say(fmt::format(
-        "A copy of {} with the tuned gains was not written, because a check failed or was skipped, or "
-        "because the file cannot hold the gains. 'armtune export {} --into {} --out NEW' writes the copy "
-        "if the file can hold the gains.\n",
+        "A copy of {} with the tuned gains was not written. Either a check failed or was skipped, or the "
+        "file cannot hold the gains. If it can hold them, 'armtune export {} --into {} --out NEW' writes "
+        "the copy.\n",
         shown_path(file), folder, shown_path(study_.gains)));
   }
   if (outcome.ending == Ending::kInterrupted) {

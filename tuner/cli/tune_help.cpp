@@ -12,7 +12,7 @@ std::string tune_help() {
       "Bundled studies: {}\n\n"
       "These commands list what a study file can name:\n"
       "  armtune metrics      metrics for the objective and constraints\n"
-      "  armtune algorithms   search algorithms, and the other keys of search\n"
+      "  armtune algorithms   search algorithms, and the keys of a study's section 'search'\n"
       "  armtune controllers  controllers and their gains\n\n"
       "Example that tunes gains, then compares them with the published ones:\n"
       "  armtune tune ur10_gaze --max-evaluations 100 --out runs/tuned\n"

@@ -26,8 +26,8 @@ void add_warm_options(CLI::App& command, WarmArguments& args);
 
 /// Replaces values of the study's warm_start by the options. Throws InputError if parameters, box or step are
 /// given, but neither the command line nor the study has a warm start. Also throws if the resulting warm
-/// start is not valid. A run that is resumed takes the gains from its own copy of them, because the run they
-/// came from may have been deleted.
+/// start is not valid. A resumed run reads the gains from its own copy, because the run that they came from
+/// may have been deleted.
 void apply(WarmArguments args, const RunPlace& place, Study& study);
 
 }  // namespace armtune::internal::cli

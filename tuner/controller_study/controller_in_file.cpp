@@ -43,7 +43,7 @@ std::vector<double> one_for_each(const std::vector<double>& given, const std::ve
     return most;
   }
   if (!of_tool && given.size() == 1) return std::vector<double>(n, given.front());
-  throw InputError(fmt::format("--max-stiffness has {} numbers; give {}, or {}, in the order {}",
+  throw InputError(fmt::format("--max-stiffness has {} numbers; give {}, or {} numbers in the order {}",
                                given.size(),
                                of_tool ? "one for translations and one for rotations" : "one for all joints",
                                n, fmt::join(parts, ", ")))
@@ -124,7 +124,7 @@ ControllerInFile new_controller(const std::string& kind, const RobotModel& arm, 
   const std::vector<std::string> kinds = motion_controllers();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(fmt::format(
-        "controller '{}' does not follow motions with gains of its own; choose one of {}, or write a "
+        "the gains of the controller '{}' cannot be tuned on given motions; choose one of {}, or write a "
         "study for a task of the tool ('armtune robot --task')",
         kind, fmt::join(kinds, ", ")));
   ControllerInFile made;

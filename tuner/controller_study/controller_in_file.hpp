@@ -25,11 +25,11 @@ struct ControllerInFile {
 /// True if the controller tracks the tool, not the joints.
 bool is_of_tool(const ControllerInFile& from);
 
-/// Reads the controller called `node`, or the only one of the file if `node` is empty, or the controller that
-/// a map of gains describes (gain_map.hpp). distro: see set_distro (parameter_file.hpp). Throws InputError if
-/// the distribution does not fit the file, if there is no such controller for these joints, if all of its
-/// gains that can be tuned are 0, or if the file is written in a way that does not allow its gains to be
-/// replaced.
+/// Reads a controller from a ROS parameter file: the controller called `node`, or the only one in the file if
+/// `node` is empty. The file can also be a map of gains, which describes one controller (gain_map.hpp).
+/// distro: see set_distro (parameter_file.hpp). Throws InputError if the distribution does not fit the file,
+/// if there is no such controller for these joints, if all of its gains that can be tuned are 0, or if the
+/// file is written in a way that does not allow its gains to be replaced.
 ControllerInFile read_controller(const std::string& file, const std::string& node,
                                  const std::vector<std::string>& joints,
                                  std::optional<RosDistro> distro = {});
@@ -44,11 +44,11 @@ std::vector<const GainField*> searched_fields(const ControllerInFile& from);
 /// Returns the values of one of the controller's own gains.
 JointVector& values_of(Gains& gains, const GainField& field);
 
-/// Returns false if the numbers of the file are given by a map, and it names no number for value k of the
-/// gain.
+/// True if the file has a number for value k of the gain. Only a map of gains can leave this number out.
 bool is_in_file(const ControllerInFile& from, const GainField& field, Eigen::Index k);
 
-/// Returns the name in a study of the value `part` of a gain: "jtc_p/elbow". part: empty for a single number.
+/// Returns the name by which a study refers to one number of a gain, such as "jtc_p/elbow". part: the joint
+/// or axis of the number; empty if the gain has only one number.
 std::string entry_name(const GainField& field, const std::string& part);
 
 /// Returns the name of the controller's stiffness.
@@ -57,9 +57,9 @@ const char* stiffness_of_controller(const ControllerInFile& from);
 /// True if the controller has a stiffness that could be tuned.
 bool has_stiffness(const ControllerInFile& from);
 /// Returns the largest stiffness of each joint (n) from numbers that the user gives: one for each joint, or
-/// one for all. For a task, returns six from two or six numbers. Lowers the start values of a controller that
-/// has no file. Throws InputError if the controller has no stiffness, if the count is wrong, or if a start
-/// value in the file is larger.
+/// one for all. For the axes of a task, returns six numbers; the user gives two or six. Lowers the start
+/// values of a controller that has no file. Throws InputError if the controller has no stiffness, if the
+/// count is wrong, or if a start value in the file is larger.
 std::vector<double> bounded_stiffness(const std::vector<double>& given, ControllerInFile& from);
 
 }  // namespace armtune::internal

@@ -50,8 +50,8 @@ void note_choice(const ControllerStudyInputs& inputs, const ControllerInFile& fr
   constexpr std::size_t kMostNames = 5;
   const std::size_t shown = std::min(others.size(), kMostNames);
   notes.push_back(
-      fmt::format("of the controllers in {}, {} is tuned; the file also has {}{}, which stay as they are",
-                  from.file, from.controller.name,
+      fmt::format("of the controllers in {}, {} is tuned. The others are not changed: {}{}", from.file,
+                  from.controller.name,
                   fmt::join(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
                   shown < others.size() ? fmt::format(" and {} more", others.size() - shown) : ""));
 }
@@ -93,7 +93,7 @@ double rate_of(const ControllerStudyInputs& inputs, const ControllerInFile& from
     throw InputError(InputPlace{inputs.controllers, 0, "update_rate"},
                      "the file has neither an update_rate of the controller manager nor a loop_hz of the "
                      "control loop; give the control rate with --rate HZ");
-  notes.push_back(fmt::format("the control rate is {:g} Hz, as {} in {} gives it; --rate replaces it",
+  notes.push_back(fmt::format("the control rate is {:g} Hz, the value of {} in {}; --rate replaces it",
                               rate->hertz, rate->key, inputs.controllers));
   return rate->hertz;
 }
@@ -122,9 +122,9 @@ void note_fast_drives(const Gains& gains, const RobotModel& arm, const std::vect
   if (most < kFastDrive) return;
   notes.push_back(fmt::format(
       "the simulated velocity drive of {} is too fast for its rate of {:.4g} Hz: in each period it removes "
-      "{:.0f} % of a velocity error, and more than {:.0f} % makes it overshoot. The arm may shake in simulation "
-      "although it does not on the robot. Give the velocity_gain of your drives in a robot YAML, or their rate "
-      "if it is higher, up to 1e5 Hz (drives: {{rate: {:.0f}}})",
+      "{:.0f} % of a velocity error, and it overshoots if this is more than {:.0f} %. The arm may shake in "
+      "simulation although it does not on the robot. In a robot YAML, give the velocity_gain of your drives, "
+      "or their rate if it is higher, up to 1e5 Hz (drives: {{rate: {:.0f}}})",
       arm.joints[static_cast<std::size_t>(joint)].name, rate, 100.0 * most, 100.0 * kFastDrive,
       std::min(1e5, std::ceil(rate * most / 1000.0) * 1000.0)));
 }

@@ -20,7 +20,7 @@ struct JointGoals {
   std::shared_ptr<const RobotModel> robot;
   std::shared_ptr<const ClearanceModel> clearance;  ///< pairs of bodies that must not touch
   std::vector<JointVector> positions;               ///< n each, at least two [rad, m]
-  bool ros2 = true;                                 ///< version of ROS that the message is for
+  bool ros2 = true;                                 ///< true: the result is for ROS 2; false: for ROS 1
   double speed = 1.0;                               ///< factor on the speed of the planned motion
 };
 
@@ -37,7 +37,7 @@ struct ToolWaypoints {
   UserTable file;
   std::shared_ptr<const RobotModel> robot;
   std::shared_ptr<const ClearanceModel> clearance;  ///< pairs of bodies that must not touch
-  bool ros2 = true;                                 ///< version of ROS that the message is for
+  bool ros2 = true;                                 ///< true: the result is for ROS 2; false: for ROS 1
   double speed = 1.0;                               ///< factor on the speed of the motion
 };
 /// A function that finds a joint motion along waypoints of the tool.
@@ -46,7 +46,7 @@ using ToolMotion = std::function<TimedGoals(const ToolWaypoints&)>;
 /// The user's files and options. Relative paths begin at the current folder.
 struct ControllerStudyInputs {
   std::string robot;        ///< bundled name, robot YAML or URDF
-  std::string controllers;  ///< ROS parameter file of the controller; empty: see kind
+  std::string controllers;  ///< ROS parameter file of the controller; empty: `kind` is used
   std::string node;         ///< name of the controller in the file; empty: the only one
   /// CSV files or ROS messages, at least one: joint motions, joint goals without times, or waypoints of the
   /// tool. A controller that tracks the tool needs waypoints of the tool.
@@ -54,12 +54,12 @@ struct ControllerStudyInputs {
   double rate = 0.0;     ///< rate of the controller [Hz]; 0: the one in the file (controller_rate.hpp)
   double speed = 1.0;    ///< factor on the speed of all motions
   bool degrees = false;  ///< true: angles in CSV files are in degrees, not in radians
-  /// Largest stiffness of an impedance controller. Of joints [N m/rad, N/m]: n numbers, or one for all
-  /// joints. Of the tool: two, for translations [N/m] and rotations [N m], or six. Empty: the stiffness is
-  /// not tuned, because nothing here tells how large it may become.
+  /// Largest stiffness of an impedance controller. For a stiffness of joints [N m/rad, N/m]: n numbers, or
+  /// one for all joints. For a stiffness of the tool: two numbers, for translations [N/m] and rotations [N
+  /// m], or six. Empty: the stiffness is not tuned, because the files do not tell how large it may become.
   std::vector<double> max_stiffness = {};
   GoalTiming timing = {};       ///< plans motions for files without times; empty: these are refused
-  ToolMotion tool_motion = {};  ///< finds motions for files with waypoints of the tool; empty: likewise
+  ToolMotion tool_motion = {};  ///< finds motions for files with waypoints; empty: these are refused
   /// Without a parameter file: one of motion_controllers() (controller_gains.hpp). Its start gains are
   /// computed from the arm, and `rate` must be given.
   std::string kind = {};

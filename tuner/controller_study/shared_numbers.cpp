@@ -12,17 +12,6 @@
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
-namespace {
-
-/// Returns the two sides of " of " in the name of a gain: "p" and "elbow".
-std::pair<std::string, std::string> halves(const std::string& name) {
-  constexpr std::string_view kOf = " of ";
-  const auto at = name.find(kOf);
-  if (at == std::string::npos) return {name, ""};
-  return {name.substr(0, at), name.substr(at + kOf.size())};
-}
-
-}  // namespace
 
 std::vector<SharedNumber> shared_numbers(const ControllerInFile& from) {
   if (from.file.empty()) return {};
@@ -72,12 +61,12 @@ std::string sharing_note(const ControllerInFile& from, const std::vector<const S
   std::vector<std::pair<std::string, std::vector<std::string>>> by_parts;  // ("j1, j2", {"p", "d"})
   for (const SharedNumber* number : shared) {
     std::vector<std::string> parts, names;
-    const std::string gain = halves(number->front().name).first;
+    const std::string& gain = number->front().name.gain;
     bool same = true;
     for (const SharedGain& other : *number) {
-      same = same && halves(other.name).first == gain;
-      parts.push_back(halves(other.name).second);
-      names.push_back(other.name);
+      same = same && other.name.gain == gain;
+      parts.push_back(other.name.part);
+      names.push_back(words(other.name));
     }
     const std::string of = same ? fmt::format("{}", fmt::join(parts, ", ")) : std::string();
     const std::string what = same ? gain : fmt::format("{}", fmt::join(names, ", "));
@@ -94,10 +83,10 @@ std::string sharing_note(const ControllerInFile& from, const std::vector<const S
     groups.push_back(
         fmt::format("{}{}{}", fmt::join(gains, ", "), parts.empty() ? "" : " of ", one_line(parts)));
   return fmt::format(
-      "in {}, several gains are one number: {}. They are linked in the study and get one value; to tune them "
-      "separately, write a number for each of them{}",
+      "in {}, several gains share one number: {}. They are linked in the study and get one value; to tune "
+      "them separately, write a number for each of them{}",
       from.file, fmt::join(groups, "; "),
-      from.controller.layout == GainLayout::kMapped ? ", and bind each in the map"
+      from.controller.layout == GainLayout::kMapped ? ", and give the place of each in the map"
                                                     : " in place of the YAML alias");
 }
 

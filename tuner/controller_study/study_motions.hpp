@@ -18,8 +18,8 @@ struct StudyMotion {
   std::string name;       ///< name of the scenario: that of the file, with a number if it is taken
   JointSpline motion;     ///< in radians, metres and seconds
   std::string reference;  ///< path by which the scenario refers to the file with the motion
-  /// Text of that file, if armtune writes it: a ROS message with a joint motion of armtune's, or the path of
-  /// the tool; otherwise empty.
+  /// Text of that file, if armtune writes it: a ROS message with the joint motion that armtune found, or the
+  /// path of the tool; otherwise empty.
   std::string message;
   bool of_tool = false;  ///< true if the file has waypoints of the tool
   /// Path of the tool, for a controller that tracks the tool itself. `motion` then rests at its start.

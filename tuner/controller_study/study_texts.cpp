@@ -27,7 +27,7 @@ plant:
 )";
 
 constexpr const char* kJointMotion = R"(planned: {{file: {file}, segments: {segments}{units}{speed}}}
-hold_end: 0.5              # s, time at the end of the motion, in which the joints settle
+hold_end: 0.5              # s, time after the motion, in which the joints settle
 )";
 
 constexpr const char* kToolMotion =
@@ -41,7 +41,7 @@ gains: {gains}   # start gains; their objective is 1
 {node}{distro}scenarios: [{scenarios}]
 
 # These gains are tuned from a fifth to five times their start value, unless bounds are given. To give other
-# bounds, write {{name: ..., lower: ..., upper: ...}}. A d of 0 starts without damping.
+# bounds, write {{name: ..., lower: ..., upper: ...}}. With a d of 0, the start gains do not damp the joint.
 parameters:
 {parameters}
 objective:

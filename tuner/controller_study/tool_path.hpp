@@ -13,20 +13,21 @@ namespace armtune::internal {
 /// InputError as load_waypoints does.
 Scenario task_along(const ToolWaypoints& waypoints);
 
-/// Throws InputError naming the file of the waypoints if the arm cannot follow the task (trouble).
+/// Throws InputError naming the file of the waypoints if the arm cannot follow the task (see trouble() in
+/// task_trouble.hpp).
 void require_passable(const PathWalk& walk, const Scenario& task);
 
-/// A path of the tool as the files of a scenario have it.
+/// A path of the tool, in the form in which the files of a scenario give it.
 struct ToolPath {
-  std::string waypoints;  ///< text of a CSV file: the user's path, later and perhaps slower
+  std::string waypoints;  ///< text of a CSV file: the user's path after a rest, at the chosen speed
   std::string start;      ///< text of a CSV file: a joint motion that rests at the start of the path
   JointVector position;   ///< joint positions (n) at the start of the path [rad, m]
   double duration = 0.0;  ///< of the scenario [s]
   bool turns = false;     ///< true: the file gives the tool's orientation; false: the orientation is free
 };
 
-/// The time for which the tool rests before it moves along the path [s]. Errors count from 1 s after the
-/// start (sim/metrics/metric.cpp), so none are left out.
+/// The time for which the tool rests before it moves along the path [s]. Metrics count errors from 1 s after
+/// the start of a scenario (sim/metrics/metric.cpp), so no error on the path is left out.
 inline constexpr double kRestBeforePath = 1.2;
 
 /// Reads the waypoints. The arm starts at the joint positions from which it follows them best

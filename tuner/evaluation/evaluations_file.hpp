@@ -28,11 +28,11 @@ class EvaluationsFile {
   EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra = {},
                   AppendFile::Open open = AppendFile::Open::kNew);
 
-  /// Appends one row and passes it to the operating system. Numbers read back bit-identical, except the wall
-  /// time, which is rounded to milliseconds. A missing value is an empty cell. The wall time is the last
-  /// column, and the only one that differs between two runs of one study. With AppendFile::Open::kReplace,
-  /// the older file is replaced at the first row that does not come from the journal. Throws FailedError if
-  /// the disk refuses the row.
+  /// Appends one row and passes it to the operating system. Numbers have all digits that are needed to read
+  /// back the same value. Only the wall time is rounded, to milliseconds. A missing value is an empty cell.
+  /// The wall time is the last column, and the only one that differs between two runs of one study. With
+  /// AppendFile::Open::kReplace, the older file is replaced at the first row that does not come from the
+  /// journal. Throws FailedError if the disk refuses the row.
   void append(const std::string& phase, const Evaluation& e);
   /// Must be called at the end. It replaces an older file even if every row came from the journal, and makes
   /// the file survive a power cut.

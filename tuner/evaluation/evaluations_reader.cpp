@@ -26,7 +26,7 @@ double finite(const CsvTable& table, std::size_t row, std::size_t column) {
   if (std::isfinite(value)) return value;
   const std::string text = table.text(row, column);
   throw InputError(at_line(table.name(), row + 2, table.header()[column]),
-                   fmt::format("{} in column {} is not a finite number",
+                   fmt::format("{} in the column '{}' is not a finite number",
                                text.empty() ? "an empty cell" : shown(text), table.header()[column]))
       .with_value(text, "a finite number");
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kFirstStudy = R"(gains: gains.yaml     # start gains; their objective is 1
 scenarios: [task.yaml]
 
-parameters:           # default bounds around the start gains; others: {{name: ..., lower: ..., upper: ...}}
+parameters:           # default bounds around the start gains, or {{name: ..., lower: ..., upper: ...}}
   - {{name: task_space_gains_p}}
   - {{name: task_space_gains_d}}
   - {{name: trajectoryDurationErrorGain}}

@@ -53,7 +53,7 @@ class TaskSearch {
               "looking for a first task{}{}{}: place {} of {}{}",
               options_.mask == TaskMask::kPosition ? ", tool position only" : "",
               options_.without_floor ? ", without a floor" : "",
-              options_.thorough ? ", among ten times as many positions" : "", place + 1, tasks.size(),
+              options_.thorough ? ", among ten times as many places" : "", place + 1, tasks.size(),
               pace.slowness == 1.0 ? std::string()
                                    : fmt::format(", {} times the usual duration", pace.slowness)));
         }
@@ -79,8 +79,8 @@ class TaskSearch {
     const double effort = arm_->joints[static_cast<std::size_t>(loaded_)].limits.effort;
     const char* unit = effort_unit(*arm_, loaded_);
     return fmt::format(
-        "{}; even at the place with the least load, joint '{}' needs {:.3g} {} only to hold the arm still, and "
-        "its effort limit is {:.3g} {}",
+        "{}; even in the tried task with the least load, joint '{}' needs {:.3g} {} only to hold the arm "
+        "still, and its effort limit is {:.3g} {}",
         failed_, arm_->joints[static_cast<std::size_t>(loaded_)].name, lightest_ * effort, unit, effort,
         unit);
   }

@@ -33,7 +33,7 @@ struct FirstTask {
 /// durations of returns to the path and of turns to a target.
 /// If no such gains pass, it tries these alternatives in this order:
 /// - other places for the task, and slower tasks;
-/// - places from ten times as many joint positions;
+/// - places that are searched among ten times as many joint positions;
 /// - a task that prescribes only the tool's position;
 /// - if no floor was given, all of these without a floor.
 /// robot: a bundled name or a file. workers: number of threads (>= 1). progress: called with a description of

@@ -1,6 +1,6 @@
 #pragma once
 // Tests whether a rollout stays within a given fraction of the arm's velocity and effort limits, and names
-// the limit that it breaks. Gains for a first task must leave such a reserve.
+// the limit that it breaks. Gains for a first task must leave a reserve below these limits.
 
 #include <string>
 

@@ -14,9 +14,9 @@ inline constexpr int kOtherArms = 60;  ///< number of random arms in the test
 int most_lost_arms();
 
 /// True if at most most_lost_arms() of kOtherArms random arms break a limit in the scenario. Torque may
-/// saturate in 1 % of the control periods, as in the final checks. The arms differ from those that the study
-/// or its final checks simulate. They are simulated in armtune's own dynamics. workers: number of threads
-/// (>= 1).
+/// saturate in at most 1 % of the control periods, as in the final checks. The arms differ from those that
+/// the study or its final checks simulate. They are simulated in armtune's own dynamics. workers: number of
+/// threads (>= 1).
 bool nearly_all_hold(const Scenario& scenario, const Gains& gains, int workers);
 
 }  // namespace armtune::internal

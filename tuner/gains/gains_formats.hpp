@@ -33,8 +33,8 @@ struct GainsFile {
 };
 
 /// Returns the text of the file. Comments at its top give the origin, and the order of task-space and joint
-/// numbers. Comments above each field give its unit and meaning. Numbers read back bit-identical. Throws
-/// InputError if the name of the node is not valid in ROS.
+/// numbers. Comments above each field give its unit and meaning. Numbers have all digits that are needed to
+/// read back the same value. Throws InputError if the name of the node is not valid in ROS.
 std::string gains_text(const GainsFile& file, GainsFormat format);
 
 }  // namespace armtune::internal

@@ -1,9 +1,9 @@
 #pragma once
 // Fits the parameters of an arm to logged torques, and measures how well the fitted arm explains them. The
 // fit keeps the links close to those of the robot file, but leaves rotor inertia and friction almost free.
-// log_mistakes.hpp compares possible mistakes in a log by this measure. A correction that changes only the
-// torques (order, scale, sign) reuses the moments of the regressor. One that changes the motion needs new
-// ones.
+// log_mistakes.hpp corrects possible mistakes in a log, and compares the corrections by this measure. If a
+// correction changes only the torques (their order, scale or sign), the moments of the regressor are used
+// again. If it changes the motion, they are computed again.
 
 #include <vector>
 

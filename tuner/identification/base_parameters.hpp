@@ -16,7 +16,7 @@ namespace armtune::internal {
 
 struct BaseParameters {
   std::vector<int> independent;  ///< entries of theta that lead a group; their columns of Y are independent
-  Eigen::MatrixXd map;  ///< rank x 13 n: theta_base = map theta, and Y theta = Y[independent] theta_base
+  Eigen::MatrixXd map;  ///< rank x 13 n: theta_base = map * theta; Y * theta = Y[independent] * theta_base
   std::vector<std::string> names;  ///< groups: "a_link/izz + b_link/ixx - 0.612 b_link/mx ..."
 
   int rank() const { return static_cast<int>(independent.size()); }

@@ -34,7 +34,8 @@ std::string excitation_yaml(const Excitation& excitation, const std::vector<std:
 Excitation load_excitation(const std::string& path, const std::vector<std::string>& joints);
 
 /// Returns the text of trajectory.csv: time, and position, velocity and acceleration of every joint. There is
-/// one row per period [s] from 0 to the end. Numbers read back to the same bits.
+/// one row per period [s] from 0 to the end. Numbers have all digits that are needed to read back the same
+/// value.
 std::string excitation_csv(const Excitation& excitation, const std::vector<std::string>& joints,
                            double period);
 

@@ -148,11 +148,11 @@ std::string contact_sentences(const LeastClearances& nearest, const KeptDistance
     missing.push_back(fmt::format("{}, whose shapes are not known", fmt::join(unknown, ", ")));
   if (const auto drawn = drawn_links(model.arm()); !drawn.empty())
     missing.push_back(
-        fmt::format("collision shapes of {}, which have only drawn ones", fmt::join(drawn, ", ")));
+        fmt::format("collision shapes of {}, which have only drawn (visual) shapes", fmt::join(drawn, ", ")));
   if (const auto left_out = model.left_out_by_their_make(); !left_out.empty())
     missing.push_back(
         fmt::format("{}, whose shapes touch at nearly every position", fmt::join(left_out, ", ")));
-  missing.emplace_back("the way to the centre of the trajectory");
+  missing.emplace_back("the motion to the centre, where the trajectory starts");
   return fmt::format("{}{}Not checked: {}.", text, text.empty() ? "" : " ", fmt::join(missing, "; "));
 }
 

@@ -13,16 +13,16 @@
 
 namespace armtune::internal {
 
-/// The distances that a trajectory must keep. They are those of planned motions, except that many arms have
-/// links that are always closer to each other than 5 mm: two links need no more than half of their distance
-/// at the centre of the trajectory.
+/// The distances that a trajectory must keep. They are those of planned motions, with one exception: two
+/// links never have to keep more than half of the distance that they have at the centre of the trajectory. In
+/// many arms, some links are always closer to each other than the 5 mm that planned motions keep.
 struct KeptDistances {
   std::shared_ptr<const ClearanceModel> model;  ///< null: no distance is checked
   double clearance = 0.02;  ///< least distance from the parts and the floor of the cell [m]
 
-  /// Returns the least distance of each pair of bodies around this centre (n) [m], in the order of
-  /// ClearanceModel::pairs. `spare` is added [m], but of two links never more than half of their distance at
-  /// the centre is required.
+  /// Returns the distance [m] that each pair of bodies must keep in a trajectory around this centre (n), in
+  /// the order of ClearanceModel::pairs. spare: added to every distance [m]. For two links, the result is
+  /// nevertheless at most half of their distance at the centre.
   std::vector<double> least(const JointVector& center, double spare = 0.0) const;
 };
 
@@ -32,7 +32,7 @@ inline constexpr double kDistancePeriod = 0.002;
 /// Judges distances at some positions of a trajectory.
 class DistanceTally {
  public:
-  /// center: (n) [rad, m]; spare: distances below the kept ones plus this count as too near [m].
+  /// center: (n) [rad, m]; spare: added to the distances that must be kept [m].
   DistanceTally(const KeptDistances& kept, const JointVector& center, double spare);
 
   /// Checks the arm at joint positions q (n) [rad, m], at `time` [s].

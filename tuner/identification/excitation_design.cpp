@@ -265,8 +265,8 @@ void refuse_broken_limits(const ExcitationDesign& design, const ExcitationOption
   if (design.scale == 0.0)
     throw InputError(
         InputPlace{.key = "center"},
-        "every trajectory around this centre comes too near to a contact; move the centre, or give another "
-        "--clearance");
+        "every trajectory around this centre brings the arm too near to a contact; move the centre, or give "
+        "another --clearance");
   if (!(violation(design.use, options) > design.use.shortfall)) return;
   throw InputError(
       InputPlace{.key = "center"},

@@ -27,16 +27,17 @@ struct ExcitationLog {
   bool interrupted = false;
 };
 
-/// Simulates the scenario's arm with its noise, delay, friction and seed, but without its task. The arm
-/// moves from its start pose to the centre in 3 s and then along the trajectory, under tau = Y theta - Kd S.
+/// Simulates the scenario's arm with its noise, delay, friction and seed, but without its task. The arm moves
+/// from its start pose to the centre in 3 s and then along the trajectory, under tau = Y * theta - Kd * S.
 /// Here Y is the regressor, theta are the model's inertial and friction parameters, and S is the measured
 /// velocity minus its reference, which includes Kp times the position error. The log has measured positions
-/// and velocities. Its torques are those of joint torque sensors: the mean of the torques that act before
-/// and after the instant. Throws InputError if the arm is more than 0.5 rad or 0.5 m off the trajectory.
+/// and velocities. Its torques are those of joint torque sensors: the mean of the torques that act before and
+/// after the instant. Throws InputError if the arm is more than 0.5 rad or 0.5 m off the trajectory.
 ExcitationLog simulate_excitation(const Scenario& scenario, const Excitation& excitation,
                                   const ExcitationLogOptions& options, const std::atomic<bool>& stop);
 
-/// Returns the log as CSV, with the columns of `default_log_columns`. Numbers read back to the same bits.
+/// Returns the log as CSV, with the columns of `default_log_columns`. Numbers have all digits that are needed
+/// to read back the same value.
 std::string log_csv(const RobotModel& model, const ExcitationLog& log);
 
 }  // namespace armtune::internal

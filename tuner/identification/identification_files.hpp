@@ -14,9 +14,9 @@ std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
                        const std::vector<std::string>& header);
 
 /// Returns the text of base_parameters.csv, with one row per base parameter (group of entries of theta). Its
-/// columns are group, estimate, standard deviation, the robot file's value, the value of the physically
-/// valid theta, and status. Numbers read back to the same bits. For a group that the logs do not excite, the
-/// standard deviation is an empty cell and the status says so.
+/// columns are group, estimate, standard deviation, the robot file's value, the value of the physically valid
+/// theta, and status. Numbers have all digits that are needed to read back the same value. For a group that
+/// the logs do not excite, the standard deviation is an empty cell and the status says so.
 std::string base_parameters_csv(const RobotModel& model, const Identification& found);
 
 /// Returns a copy of the model that has the links, rotor inertia and friction of theta.

@@ -1,7 +1,8 @@
 #pragma once
 // Identifies theta, an arm's inertial and friction parameters, from logs. The logs are converted to the rows
-// of a regression, weighted or robust. It estimates the base parameters, the combinations of theta that can
-// be identified (base_parameters.hpp). The estimate is then completed to a physically valid theta.
+// of a regression, weighted or robust. The regression estimates the base parameters, the combinations of
+// theta that can be identified (base_parameters.hpp). The estimate is then completed to a physically valid
+// theta.
 
 #include <atomic>
 #include <functional>

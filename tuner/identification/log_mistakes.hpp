@@ -1,8 +1,8 @@
 #pragma once
-// Finds common mistakes in a robot's logs before its parameters are identified from them: wrong units,
-// signs, columns, zero positions or mounting, or a log of another arm. Each possible mistake is tentatively
-// corrected, and an arm close to the robot file is fitted to the corrected log. The mistake whose correction
-// gives the best fit is the most likely one.
+// Finds common mistakes in a robot's logs before its parameters are identified from them: wrong units, signs,
+// columns, zero positions or mounting, or a log of another arm. Each possible mistake is tentatively
+// corrected, and an arm with parameters close to those of the robot file is fitted to the corrected log. The
+// mistake whose correction gives the best fit is the most likely one.
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 // A zero-phase low-pass filter with derivatives: a symmetric FIR kernel, which is a sinc under a
 // Blackman-Harris window, and the kernel's own analytic derivatives. Since the kernel is of finite length, a
-// signal that is filtered block by block gives the same numbers as the whole signal at once. Harris, On the
-// use of windows for harmonic analysis with the discrete Fourier transform, 1978.
+// signal that is filtered block by block gives the same numbers as a signal that is filtered as a whole.
+// Harris, On the use of windows for harmonic analysis with the discrete Fourier transform, 1978.
 
 #include <Eigen/Core>
 

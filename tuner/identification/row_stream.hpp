@@ -1,7 +1,7 @@
 #pragma once
-// Converts a log to rows of the regression tau = Y_base theta_base, where tau are the joint torques, Y_base
-// is the regressor and theta_base are the base parameters (base_parameters.hpp).
-// The logged signals pass the two filters of parallel_filter.hpp. The regressor Y is computed between them.
+// Converts a log to rows of the regression tau = Y_base * theta_base, where tau are the joint torques, Y_base
+// is the regressor and theta_base are the base parameters (base_parameters.hpp). The logged signals pass the
+// two filters of parallel_filter.hpp. The regressor Y is computed between them.
 
 #include <memory>
 

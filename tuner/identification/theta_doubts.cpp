@@ -41,9 +41,9 @@ std::string check_joint(const RobotModel& model, int joint, const Unexplained& r
   if (!too_much && !worse) return {};
   const EffortWords effort = effort_words(model, joint);
   return fmt::format(
-      "the identified parameters leave {:.3g} {} of the {} of {} unexplained {}. There the {} is {:.3g}, and "
-      "the parameters of the robot file leave {:.3g} unexplained (all are RMS values). Check unit, sign, "
-      "column and zero position of this joint and of the joints after it",
+      "the identified parameters leave {:.3g} {} of the {} of {} unexplained {}. The whole {} there is "
+      "{:.3g}, and the parameters of the robot file leave {:.3g} of it unexplained (all are RMS values). "
+      "Check unit, sign, column and zero position of this joint and of the joints after it",
       left, effort.unit, effort.name, info.name, which, effort.name, rows.torque[joint], rows.by_file[joint]);
 }
 
@@ -55,7 +55,8 @@ std::string check_channel(const RobotModel& model, int joint, const Unexplained&
   if (needed < kLeastTorque * info.limits.effort || rows.torque[joint] > kDead * needed) return {};
   const EffortWords effort = effort_words(model, joint);
   return fmt::format(
-      "the {} of {} is only {:.3g} {}, but the parameters of the robot file need about {:.3g} (RMS values); "
+      "the {} of {} is only {:.3g} {}, but by the parameters of the robot file it would be about {:.3g} (RMS "
+      "values); "
       "check its column, which may be dead, of another joint, or in another unit",
       effort.name, info.name, rows.torque[joint], effort.unit, needed);
 }
@@ -121,8 +122,8 @@ std::string check_arm(const RobotModel& model, const Identification& found) {
       fmt::format("the parameters of the robot file leave {:.0f} % or more of every joint's {} unexplained",
                   100.0 * least, effort_word_of_all(model, &EffortWords::name));
   constexpr const char* kAdvice =
-      "; the log may be of another arm: check --robot. A robot file without real masses looks like this too, if "
-      "friction is not as armtune models it";
+      "; the log may be of another arm: check --robot. A robot file without real masses has the same "
+      "effect if friction is not as armtune models it";
   const Worst fitted = worst_by_theta(model, found.fitted, found);
   const Worst held = worst_by_theta(model, found.held_out, found);
   const Worst& worst = held.share > fitted.share ? held : fitted;
@@ -132,7 +133,7 @@ std::string check_arm(const RobotModel& model, const Identification& found) {
                        &worst == &held ? " on the rows held out of the fit" : "", kAdvice);
   double ratio = 1.0;
   if (const int link = extreme_ratio(model, found, mass_index, true, ratio); link >= 0 && ratio < kVanished)
-    return fmt::format("{}, and with the identified ones {} weighs only {:.2g} of what the file gives{}",
+    return fmt::format("{}, and with the identified ones {} weighs only {:.2g} times what the file gives{}",
                        fails, model.joints[static_cast<std::size_t>(link)].link, ratio, kAdvice);
   const int joint = extreme_ratio(model, found, rotor_index, false, ratio);
   if (joint < 0 || ratio < kGrownRotor) return {};

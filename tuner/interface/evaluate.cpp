@@ -31,7 +31,7 @@ struct Evaluator::Inside {
     for (const double x : point) {
       if (!(x >= 0.0 && x <= 1.0))
         throw InputError(InputPlace{.key = "point"},
-                         fmt::format("a coordinate is {}; it must lie between 0 and 1", x))
+                         fmt::format("a coordinate of the point is {}; all must lie between 0 and 1", x))
             .with_value(fmt::to_string(x), "0 to 1");
     }
   }

@@ -27,7 +27,8 @@ std::vector<std::shared_ptr<const InputFiles>> files_of(const std::vector<Scenar
 class KeptInputs {
  public:
   /// Throws InputError naming a file that has changed since it was read. Also throws if an entry of `files`
-  /// is null: `what` (a scenario, for example) was then not read from files.
+  /// is null, because no file then matches the study or scenario. what: words for this study or scenario in
+  /// the message.
   KeptInputs(const std::string& folder, const std::vector<std::shared_ptr<const InputFiles>>& files,
              const std::string& what);
 

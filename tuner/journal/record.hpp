@@ -19,8 +19,8 @@ struct JournalRecord {
   std::vector<RolloutResult> results;  ///< one per scenario
 };
 
-/// Returns the record as one line without a line end. Numbers read back bit-identical, except the wall time,
-/// which is rounded to milliseconds.
+/// Returns the record as one line without a line end. Numbers have all digits that are needed to read back
+/// the same value. Only the wall time is rounded, to milliseconds.
 std::string to_line(const JournalRecord& record);
 
 /// Reads a record. Throws std::invalid_argument with the reason if the line is not a record.

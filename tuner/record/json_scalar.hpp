@@ -11,7 +11,8 @@ namespace armtune::internal::record {
 /// YAML need. Bytes that are not UTF-8 become U+FFFD.
 std::string json_scalar(std::string_view text);
 
-/// Returns the number as text that reads back bit-identical; null if it is not finite.
+/// Returns the number as text, with all digits that are needed to read back the same value; "null" if the
+/// number is not finite.
 std::string json_scalar(double number);
 
 }  // namespace armtune::internal::record

@@ -57,10 +57,11 @@ RunKind kind_of(const std::string& folder) {
   if (has("evaluations.csv")) return RunKind::kTune;
   if (has("errors.csv")) return RunKind::kSimulate;
   if (has("motion.csv")) return RunKind::kPlan;
+  if (has("residuals.csv") || has("horizons.csv")) return RunKind::kValidate;
   throw InputError(InputPlace{folder},
-                   "contains none of errors.csv, evaluations.csv, pareto.csv, samples.csv, comparison.csv "
-                   "and motion.csv; give the folder of a run of simulate, tune, pareto, robustness, compare "
-                   "or plan");
+                   "contains none of errors.csv, evaluations.csv, pareto.csv, samples.csv, comparison.csv, "
+                   "motion.csv, residuals.csv and horizons.csv; give the folder of a run of simulate, tune, "
+                   "pareto, robustness, compare, plan or validate");
 }
 
 }  // namespace armtune::internal::report

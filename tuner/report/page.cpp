@@ -11,7 +11,7 @@ std::string filled_page(std::string_view page, std::string_view json) {
   const std::size_t at = page.find(kMark);
   if (at == std::string_view::npos || page.find(kMark, at + 1) != std::string_view::npos) {
     throw FailedError(
-        "the built-in report page does not contain its data mark exactly once; build armtune again");
+        "the report page built into armtune has no place for its data, or several; build armtune again");
   }
   std::string filled;
   filled.reserve(page.size() + json.size() + 100);

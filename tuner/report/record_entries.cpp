@@ -85,8 +85,9 @@ Provenance provenance_of(const RunRecord& record) {
 void refuse_old_record(const std::string& folder) {
   if (find_run_file(folder, kRunRecord)) return;
   if (const auto old = find_run_file(folder, kOldRunRecord)) {
-    throw InputError(InputPlace{*old},
-                     "an older armtune made this run; its own `armtune report` shows what this file tells");
+    throw InputError(
+        InputPlace{*old},
+        "an older version of armtune made this run; use `armtune report` of that version to show this file");
   }
 }
 

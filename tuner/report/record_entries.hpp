@@ -1,5 +1,5 @@
 #pragma once
-// Makes the list of entries by which a report page shows how a run was made, from the record of the run.
+// Lists the entries of a run's record with which a report page shows how the run was made.
 
 #include <string>
 
@@ -9,8 +9,8 @@
 namespace armtune::internal::report {
 
 /// Returns the command, and every declared member of the record as an entry for people: its path and its
-/// value as text. The path of an item of a list has the item's first text, such as "versions/eigen/version",
-/// or the number of the item, counted from 1.
+/// value as text. In such a path, an item of a list is named by its first text, as in
+/// "versions/eigen/version", or by its number, counted from 1.
 Provenance provenance_of(const RunRecord& record);
 
 /// Throws InputError if the folder has no run.json, but the run.yaml that older versions of armtune wrote.

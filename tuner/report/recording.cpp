@@ -51,8 +51,9 @@ int state_in(const NumberTable& rollout, std::size_t row, std::size_t column) {
   const bool known =
       state >= 0.0 && state <= static_cast<double>(ControlState::kFollowPlan) && state == std::floor(state);
   if (!known)
-    throw InputError(at_line(rollout.name(), row + 2, "state"),
-                     fmt::format("{} in column state is not a state of the controller", shown_cell(state)));
+    throw InputError(
+        at_line(rollout.name(), row + 2, "state"),
+        fmt::format("{} in the column 'state' is not a state of the controller", shown_cell(state)));
   return static_cast<int>(state);
 }
 

@@ -19,7 +19,8 @@ struct Resolution {
 std::size_t least_bytes(std::size_t columns, std::size_t replay_series);
 
 /// Returns the finest resolution at which a run takes about `bytes` bytes of text. It is never coarser than
-/// that of least_bytes. columns, replay_series: as in least_bytes; seconds: duration of the run [s].
+/// the resolution that least_bytes assumes. columns, replay_series: as in least_bytes; seconds: duration of
+/// the run [s].
 Resolution resolution_for(std::size_t bytes, std::size_t columns, std::size_t replay_series, double seconds);
 
 /// Reads those columns of a recording that the plots and the replay need. Throws InputError naming file and

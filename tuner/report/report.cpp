@@ -34,7 +34,7 @@ Written write_report(const std::string& folder, const std::string& path, Existin
   const std::string html = filled_page(page_text(), report_json(data));
   if (html.size() > kMostBytes) {
     data.left_out.push_back(
-        fmt::format("nothing more, although the page has {:.1f} MB, because its names and texts cannot be "
+        fmt::format("nothing else, although the page still has {:.1f} MB: its names and texts cannot be "
                     "shortened to {:.0f} MB",
                     1e-6 * static_cast<double>(html.size()), 1e-6 * static_cast<double>(kMostBytes)));
   }

@@ -13,6 +13,7 @@
 #include "tuner/report/arm.hpp"
 #include "tuner/report/scenario_data.hpp"
 #include "tuner/report/search_data.hpp"
+#include "tuner/report/validation_data.hpp"
 #include "tuner/report/yardstick_rows.hpp"
 #include "tuner/run/run_kind.hpp"
 
@@ -126,6 +127,7 @@ struct ReportData {
   std::optional<Front> front;
   std::optional<Robustness> robustness;
   std::optional<Plan> plan;
+  std::optional<ValidationData> validation;
   Provenance provenance;
   std::vector<std::string> left_out;  ///< for each file that could not be understood, the reason
   std::vector<std::string> thinned;   ///< parts that the page leaves out to limit its size
@@ -141,6 +143,7 @@ struct ReportData {
     f("margins", data.margins, "", kIfAny)("yardstick", data.yardstick, "", kIfAny);
     f("front", data.front, "", kIfAny)("robustness", data.robustness, "", kIfAny)("plan", data.plan, "",
                                                                                   kIfAny);
+    f("validation", data.validation, "", kIfAny);
   }
 };
 

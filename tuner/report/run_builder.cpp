@@ -39,7 +39,7 @@ std::vector<double> rising_times(const NumberTable& table) {
   for (std::size_t r = 0; r < times.size(); ++r) {
     if (!(std::abs(times[r]) <= kMost)) {
       throw InputError(at_line(table.name(), r + 2, "time"),
-                       fmt::format("{} in column time is not a time between -{:g} and {:g} s",
+                       fmt::format("{} in the column 'time' is not a time between -{:g} and {:g} s",
                                    shown_cell(times[r]), kMost, kMost));
     }
     if (r > 0 && times[r] < times[r - 1]) {

@@ -15,6 +15,7 @@
 #include "tuner/report/shorten.hpp"
 #include "tuner/report/tables.hpp"
 #include "tuner/report/title.hpp"
+#include "tuner/report/validation_report.hpp"
 #include "tuner/report/verdict.hpp"
 #include "tuner/report/words.hpp"
 #include "tuner/robustness/limits.hpp"
@@ -249,8 +250,10 @@ void add_notes(ReportData& data) {
 }
 
 ReportData report_of(const std::string& folder, std::size_t bytes, const std::optional<Live>& live) {
-  return kind_of(folder) == RunKind::kPlan ? plan_report_of(folder, bytes)
-                                           : Assembly(folder, bytes, live).make();
+  const RunKind kind = kind_of(folder);
+  if (kind == RunKind::kPlan) return plan_report_of(folder, bytes);
+  if (kind == RunKind::kValidate) return validation_report_of(folder, bytes);
+  return Assembly(folder, bytes, live).make();
 }
 
 }  // namespace armtune::internal::report

@@ -70,8 +70,9 @@ struct Scene {
   }
 };
 
-/// Returns the gain sets of a run folder without scene.json. They depend on the kind of run. For a comparison
-/// run.json names them. Throws InputError if it cannot be read, or names none.
+/// Returns the gain sets of a run folder without scene.json. They depend on the kind of run. The gain sets of
+/// a comparison are those that run.json names. Throws InputError if run.json is needed and cannot be read, or
+/// names none.
 std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder);
 
 /// Returns the scene of these scenarios and gain sets. influence_radius: the obstacles' influence radius in

@@ -15,8 +15,8 @@ Evaluations evaluations_of(const CsvTable& table, const std::vector<Gain>& gains
 
 /// Returns the trade-off between the objective and the largest joint velocity ratio, with one point for each
 /// evaluation in evaluations.csv. Returns nothing if no constraint of the study is on that ratio. If there
-/// are more than a thousand points, it keeps only the start, the chosen one, and the feasible ones that no
-/// other feasible point dominates. limits: the limits of the study.
+/// are more than a thousand points, it keeps only the point of the start gains, the chosen point, and the
+/// feasible points that no other feasible point dominates. limits: the limits of the study.
 std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& evaluations,
                                      const std::vector<StudyLimit>& limits);
 

@@ -13,9 +13,9 @@ void shorten(ReportData& data);
 /// one arm at a time, beginning with the last arm, and adds the arm to `data.thinned`.
 void drop_meshes(std::size_t bytes, ReportData& data);
 
-/// Thins the evaluations if there are more than 20,000. It keeps the start and the chosen one. It divides all
-/// evaluations into groups of equally many consecutive ones. From each group it keeps three: the best
-/// feasible one, the best infeasible one and the worst.
+/// Thins the evaluations if there are more than 20,000. It keeps the evaluation of the start gains and the
+/// chosen evaluation. It divides all evaluations into groups of equally many consecutive ones. From each
+/// group it keeps three: the best feasible one, the best infeasible one and the worst.
 void thin(Evaluations& evaluations);
 
 }  // namespace armtune::internal::report

@@ -71,13 +71,15 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   std::string kept = feasible ? "every constraint holds" : "";
   if (feasible && !beside.empty()) kept += ", but the arm's own limits do not: " + first_of(beside);
   Verdict verdict;
-  verdict.sentence = joined({interrupted ? "Interrupted before the search was finished" : "",
-                             feasible ? "" : "no feasible point was found: the best one breaks a constraint",
-                             feasible ? "" : first_of(broken), gain, improvements(all, tables.size()),
-                             closest_joint(tables, tuned), kept});
+  verdict.sentence =
+      joined({interrupted ? "Interrupted before the search was finished" : "",
+              feasible ? "" : "no feasible point was found: even the best point breaks a constraint",
+              feasible ? "" : first_of(broken), gain, improvements(all, tables.size()),
+              closest_joint(tables, tuned), kept});
   if (data.judged) {
-    verdict.details.push_back(fmt::format(
-        "Every number here is the {}; the numbers of the nominal arm are below", data.judged->measure));
+    verdict.details.push_back(
+        fmt::format("Every number in this summary is the {}; the numbers of the nominal arm are below",
+                    data.judged->measure));
   }
   if (data.evaluations) {
     const std::string reason = search != nullptr ? search->reason : "";
@@ -252,7 +254,7 @@ Verdict of_run(const ReportData& data, const VerdictFacts& facts) {
       return of_robustness(data);
     case RunKind::kCompare:
       return of_compare(data);
-    default:  // plan_report.cpp makes the verdict of a plan
+    default:  // plan_report.cpp and validation_report.cpp make their own
       break;
   }
   return {};

@@ -1,6 +1,7 @@
 #pragma once
-// Writes the verdict at the top of a report page: one sentence, and a few lines of details. They name the
-// metrics that improved, the joint that comes closest to its velocity limit, and the limits that are broken.
+// Writes the verdict at the top of a report page: one sentence, and a few lines of details. Together they
+// name the metrics that improved, the joint that comes closest to its velocity limit, and the limits that are
+// broken.
 
 #include <optional>
 

@@ -41,8 +41,9 @@ MetricLimit parse_limit(const std::string& text) {
   if (!known) {
     std::vector<std::string> names;
     for (const MetricField& field : metric_fields()) names.emplace_back(field.name);
-    throw InputError(InputPlace{.key = kLimitKey}, fmt::format("there is no metric '{}'{}, which '{}' limits",
-                                                               metric, suggestion(metric, names), text))
+    throw InputError(InputPlace{.key = kLimitKey},
+                     fmt::format("'{}' limits a metric that does not exist, '{}'{}", text, metric,
+                                 suggestion(metric, names)))
         .with_value(metric, fmt::format("one of: {}", fmt::join(names, ", ")));
   }
   limit.metric = *known;

@@ -28,7 +28,7 @@ struct MarginField {
   EdgeSearch search;  ///< its member `nominal` is set for each scenario
 };
 
-/// Returns the margins in the order of the enumeration, which is also that of margins.csv.
+/// Returns the margins in the order of the enumeration. This is also their order in margins.csv.
 const std::array<MarginField, kMarginCount>& margin_fields();
 inline const MarginField& field(MarginKind kind) {
   return margin_fields()[static_cast<std::size_t>(kind)];

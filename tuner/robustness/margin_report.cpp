@@ -46,8 +46,9 @@ std::string what_ends(const std::vector<Scenario>& scenarios, const ComparedMarg
     const auto smallest = least(scenarios, set.margins, kind);
     if (!smallest || !smallest->fails) continue;
     if (!smallest->stands) {
-      return fmt::format("{}: the closed loop fails in {} without any change: {}\n", set.name,
-                         smallest->scenario, smallest->reason);
+      return fmt::format(
+          "{}: the closed loop fails in {} without any change of delay, gains, rate or noise: {}\n", set.name,
+          smallest->scenario, smallest->reason);
     }
     text += fmt::format("{}: the closed loop fails at {} {:.4g} in {}: {}\n", set.name, name(kind),
                         *smallest->fails, smallest->scenario, smallest->reason);

@@ -11,8 +11,8 @@ namespace armtune::internal {
 /// Returns the text of margins.csv with the columns margin,unit,scenario,nominal,stands,fails,reason. There
 /// is one row per margin and scenario. If a margin is known in every scenario, a row with the scenario `all`
 /// gives the smallest one. `stands` is the last value that the loop tolerates; it is empty if the loop fails
-/// at the nominal value already. `fails` is the value, next to it, at which the loop fails; it is empty if no
-/// value failed. Numbers read back bit-identical.
+/// at the nominal value already. `fails` is the neighbouring value, at which the loop fails; it is empty if
+/// no value failed. Numbers have all digits that are needed to read back the same value.
 std::string margins_csv(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins);
 
 /// Returns a table of the margins of one gain set, with one line per scenario.

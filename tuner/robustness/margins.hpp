@@ -27,7 +27,7 @@ struct Margin {
   MarginKind kind = MarginKind::kTorqueDelay;
   std::string scenario;
   double control_period = 0.0;   ///< control period of the unchanged scenario [s]
-  double nominal = 0.0;          ///< nominal value; in the margin's unit, as `stands` and `fails`
+  double nominal = 0.0;          ///< nominal value, in the margin's unit like `stands` and `fails`
   std::optional<double> stands;  ///< last value with a stable loop; none: it fails at the nominal value
   std::optional<double> fails;   ///< value, next to `stands`, at which the loop fails; none: no value fails
   std::string reason;            ///< cause of the failure, without commas; empty if nothing failed
@@ -41,14 +41,15 @@ struct MarginOptions {
   /// the search is repeated in Simbody. Values that Simbody has simulated are not simulated again.
   Engine engine = Engine::kSimbody;
   int workers = 1;
-  /// Called after each margin, with the number of margins done and that of all. One call at a time.
+  /// Called after each margin, with the number of finished margins and the number of all margins. One call at
+  /// a time.
   std::function<void(std::size_t done, std::size_t all)> progress;
   std::function<void(const std::vector<Margin>& so_far)> finished;  ///< after each margin; one call at a time
 };
 
 /// Returns every margin in every scenario, margin by margin. Margins that were not done when `stop` became
-/// true are missing. A margin depends only on the scenario, the gains and the options limits, stepper and
-/// engine. gains: valid for the robots of all scenarios.
+/// true are missing. A margin depends only on the scenario, the gains, and `limits`, `stepper` and `engine`
+/// of the options. gains: valid for the robots of all scenarios.
 std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
                             const MarginOptions& options, const std::atomic<bool>& stop);
 
@@ -68,7 +69,7 @@ std::optional<LoopFailure> failure_at(MarginKind kind, double value, const Scena
                                       const Gains& gains, const MarginOptions& options,
                                       const std::atomic<bool>& stop);
 
-/// Does the same with the unchanged scenario.
+/// Does the same as failure_at, but with the unchanged scenario.
 std::optional<LoopFailure> loop_failure(const Scenario& scenario, const Gains& gains,
                                         const MarginOptions& options, const std::atomic<bool>& stop);
 

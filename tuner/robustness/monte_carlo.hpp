@@ -33,8 +33,8 @@ struct MonteCarloOptions {
   /// Engine that simulates the arms. If it is not Simbody, and an arm breaks a limit in a scenario, Simbody
   /// simulates this arm again in this scenario. The result of Simbody then counts.
   Engine engine = Engine::kSimbody;
-  /// Called with the number of rollouts done and that of all. One call at a time. This function and the next
-  /// three may be empty.
+  /// Called with the number of finished rollouts and the number of all rollouts. One call at a time. This
+  /// function and the next three may be empty.
   std::function<void(std::size_t done, std::size_t all)> progress;
   /// Returns the results of a sample that an earlier session finished, one per scenario, or nothing.
   std::function<std::optional<std::vector<RolloutResult>>(std::uint64_t number)> known;
@@ -54,14 +54,16 @@ RolloutPlan monte_carlo_plan(const std::vector<Scenario>& scenarios, const Monte
 /// its number, the scenarios, the gains, the perturbation, the seed and the limits.
 std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
-/// Does the same with the workers of a pool that was made for monte_carlo_plan; options.workers is not used.
+/// Does the same as the function above, with the workers of a pool that was made for the plan of
+/// monte_carlo_plan. options.workers is not used.
 std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
 
 /// These functions return texts of samples.csv: its header line, the rows of one sample, and the whole file.
 /// The columns are the sample, the scenario, the status, the broken limit, the joint with the largest
-/// velocity ratio, every metric, and the properties of the random arm (drawn_arm.hpp). Numbers read back
-/// bit-identical. options: must be the options with which the samples were simulated.
+/// velocity ratio, every metric, and the properties of the random arm (drawn_arm.hpp). Numbers have all
+/// digits that are needed to read back the same value. options: must be the options with which the samples
+/// were simulated.
 std::string samples_header(const std::vector<Scenario>& scenarios);
 std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
                         const MonteCarloSample& sample);

@@ -20,8 +20,8 @@ enum class RecordingUse {
 double recording_bytes(const Scenario& scenario, int stride, RecordingUse use);
 
 /// Returns the number of bytes of memory that recordings may use. This is the machine's memory, or less if a
-/// container or a batch system sets a limit. If the shell sets a limit (ulimit -v), it is what this process
-/// does not use yet, without a reserve of 64 MB.
+/// container or a batch system sets a limit. If the shell sets a limit (ulimit -v), the result is the part of
+/// this limit that the process does not use yet, minus a reserve of 64 MB.
 double usable_memory();
 
 /// Throws InputError if the recordings that are in memory at the same time take more than `usable` bytes. The

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "armtune/error.hpp"
+#include "sim/rollout/motion_bag.hpp"
 #include "tuner/ranks/patience.hpp"
 #include "tuner/rollouts/recording_memory.hpp"
 #include "tuner/workers/parallel.hpp"
@@ -73,8 +74,15 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     }
     const RolloutStatus status = results[i].result.status;
     const bool whole = status == RolloutStatus::kCompleted || status == RolloutStatus::kNoSamples;
-    if (!options.folder.empty())
-      recorder->write_csv(options.folder + "/rollout_" + scenarios[i].name + ".csv", whole);
+    if (!options.folder.empty()) {
+      const std::string file = options.folder + "/rollout_" + scenarios[i].name;
+      recorder->write_csv(file + ".csv", whole);
+      if (options.mcap) {
+        write_motion_bag(file + ".mcap",
+                         {*scenarios[i].robot, column_names(recorder->columns()), recorder->rows(whole)},
+                         &results[i].result.metrics);
+      }
+    }
     const std::lock_guard lock(progress_mutex);
     if (options.recorded) options.recorded(i, std::move(*recorder), whole);
     ++done;

@@ -18,6 +18,7 @@ struct SimulateOptions {
   int workers = 1;
   std::string folder;     ///< folder for the files rollout_<scenario>.csv; empty: no files are written
   int record_stride = 5;  ///< control periods per row of a recording
+  bool mcap = false;      ///< true: also write the recordings as rollout_<scenario>.mcap (motion_bag.hpp)
   /// If set, receives each recording, which stays in memory. It is called from any thread, one call at a
   /// time. completed: to be passed to Recorder::rows.
   std::function<void(std::size_t scenario, Recorder recorder, bool completed)> recorded;

@@ -10,7 +10,7 @@ class AppendFile {
  public:
   enum class Open {
     kNew,      ///< makes and locks a new file; throws if the file exists
-    kReplace,  ///< writes a new file beside an older one of the same name, until `publish` replaces it
+    kReplace,  ///< writes a new file beside an older one of this name; `publish` replaces the older one
     kContinue  ///< locks and appends to a file that exists; throws if another process has locked it
   };
 
@@ -21,8 +21,8 @@ class AppendFile {
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
 
-  /// Appends the text. It is not lost if this process is killed, and with `sync` not even after a power cut.
-  /// Throws FailedError if the text cannot be written, or if the file was deleted.
+  /// Appends the text. It is not lost if this process is killed. With `sync` it is not lost after a power cut
+  /// either. Throws FailedError if the text cannot be written, or if the file was deleted.
   void append(const std::string& text, bool sync = true);
   /// Cuts the file to this size [bytes]. Throws FailedError if that fails.
   void truncate(long size);

@@ -1,7 +1,7 @@
 #pragma once
 // The parts of a run's record (run_record.hpp): the circumstances of every run, and the results of each kind
-// of run. Their members are declared once, as in record/declaration.hpp. A number that may not be finite is
-// optional, because JSON has no other numbers.
+// of run. Their members are declared once, as in record/declaration.hpp. JSON has finite numbers only. A
+// number that can be infinite or NaN is therefore optional, and is missing in that case.
 
 #include <optional>
 #include <string>
@@ -61,7 +61,7 @@ struct InputFact {
   }
 };
 
-/// How `simulate` and `compare` computed rollouts.
+/// The way in which `simulate` and `compare` computed rollouts.
 struct SimulationFacts {
   Stepper stepper = Stepper::kMidpoint;
   Engine engine = Engine::kSimbody;
@@ -197,7 +197,7 @@ struct BetweenFact {
   }
 };
 
-/// The solution of a plan, and how well it was solved.
+/// The solution of a planning task, and its accuracy.
 struct PlanFacts {
   std::string task;       ///< kind of the task, such as "switch"
   std::string scenario;   ///< name
@@ -224,8 +224,8 @@ struct PlanFacts {
   }
 };
 
-/// The torque of a joint in the logs of `identify`, and the rms errors of models of it [N m, N]. A value is
-/// missing if it was not computed.
+/// The torque of a joint in the logs of `identify`, and the RMS errors of models that predict it [N m, N]. A
+/// value is missing if it was not computed.
 struct JointTorqueFact {
   std::string joint;
   std::optional<double> rms;         ///< of the logged torque
@@ -258,6 +258,62 @@ struct IdentificationFacts {
     f.type("IdentificationFacts")("samples", found.samples)("base_parameters", found.base_parameters);
     f("condition_number", found.condition_number, "", kIfAny)("made_physical", found.made_physical);
     f("torque", found.torque)("accepted_although", found.accepted_although, "", kIfAny);
+  }
+};
+
+/// The quality with which a robot file predicts one joint of a log. A value is missing if it was not
+/// compared.
+struct JointMatchFact {
+  std::string joint;
+  bool matches = false;                ///< true if the prediction matches in everything that was compared
+  std::optional<double> explained;     ///< share of the torque's variance that the model explains
+  std::optional<double> residual_rms;  ///< of measured minus predicted torque [N m, N]
+  std::optional<double> torque_rms;    ///< of the measured torque [N m, N]
+  std::optional<double> motion;        ///< position error divided by its threshold, where it is judged
+  bool operator==(const JointMatchFact&) const = default;
+
+  static void declare(auto& f, auto& one) {
+    using enum record::Presence;
+    f.type("JointMatchFact")("joint", one.joint)("matches", one.matches);
+    f("explained", one.explained, "", kIfAny)("residual_rms", one.residual_rms, "", kIfAny);
+    f("torque_rms", one.torque_rms, "", kIfAny);
+    f("motion", one.motion, "Position error over the largest that matches.", kIfAny);
+  }
+};
+
+/// A threshold of `validate`. validation_thresholds.hpp has its unit and meaning.
+struct ThresholdFact {
+  std::string name;
+  double value = 0.0;
+  bool operator==(const ThresholdFact&) const = default;
+
+  static void declare(auto& f, auto& one) { f.type("ThresholdFact")("name", one.name)("value", one.value); }
+};
+
+/// The result of `validate`.
+struct ValidationFacts {
+  bool matches = false;  ///< true if the robot file predicts the log
+  std::string headline;  ///< the verdict as a sentence, for people
+  std::string robot;     ///< name
+  long samples = 0;
+  double duration = 0.0;  ///< [s]
+  std::string commands;   ///< kind of the commands that the motion was simulated with; empty: none
+  std::vector<JointMatchFact> joints;
+  std::vector<std::string> causes;        ///< sentences on the joints, each with its likely causes
+  std::vector<std::string> findings;      ///< what is wrong with the log itself, each a sentence
+  std::vector<std::string> not_compared;  ///< what could not be compared, and why
+  std::vector<std::string> notes;         ///< how the log was read
+  std::vector<ThresholdFact> thresholds;
+  bool operator==(const ValidationFacts&) const = default;
+
+  static void declare(auto& f, auto& found) {
+    using enum record::Presence;
+    f.type("ValidationFacts")("matches", found.matches)("headline", found.headline)("robot", found.robot);
+    f("samples", found.samples)("duration", found.duration, "s");
+    f("commands", found.commands, "Kind of the commands that the motion was simulated with.", kIfAny);
+    f("joints", found.joints)("causes", found.causes, "", kIfAny)("findings", found.findings, "", kIfAny);
+    f("not_compared", found.not_compared, "", kIfAny)("notes", found.notes, "", kIfAny);
+    f("thresholds", found.thresholds);
   }
 };
 

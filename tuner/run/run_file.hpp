@@ -1,6 +1,6 @@
 #pragma once
 // Finds files in a run folder safely. A run folder may come from another person. Names in its files, such as
-// that of a scenario in scene.json, become parts of file names. No such file may lie outside the folder.
+// the name of a scenario in scene.json, become parts of file names. No such file may lie outside the folder.
 
 #include <optional>
 #include <string>

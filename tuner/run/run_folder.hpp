@@ -1,6 +1,6 @@
 #pragma once
-// Makes the folder into which a run writes its results. Also names the circumstances of a run: the versions
-// in use, the machine, the time, and the hashes of the inputs.
+// Makes the folder into which a run writes its results. Also determines the circumstances of a run: the
+// versions in use, the machine, the time, and the hashes of the inputs.
 
 #include <string>
 #include <utility>
@@ -51,7 +51,7 @@ std::string add_columns(const std::string& folder, const FileColumns& columns);
 /// Adds the files of every scenario to `inputs`.
 void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>& inputs);
 
-/// Returns name and hash of each input file, sorted, as run.json shows them. The hash is that of
+/// Returns name and hash of each input file, sorted, as run.json shows them. The hash is the result of
 /// hash_of_input().
 std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::string>& inputs);
 

@@ -10,6 +10,7 @@ enum class RunKind {
   kRobustness,
   kCompare,
   kPlan,
+  kValidate,
   kMargins,  ///< a report page can be made of the kinds before this one
   kSensitivity,
   kYardstick,
@@ -21,8 +22,8 @@ enum class RunKind {
 /// Returns the name of the command, such as "simulate"; empty for a value beyond the last kind.
 constexpr const char* name(RunKind kind) {
   constexpr const char* kNames[] = {
-      "simulate",    "tune",      "pareto", "robustness", "compare",   "plan", "margins",
-      "sensitivity", "yardstick", "excite", "identify",   "benchmark", ""};
+      "simulate", "tune",        "pareto",    "robustness", "compare",  "plan",      "validate",
+      "margins",  "sensitivity", "yardstick", "excite",     "identify", "benchmark", ""};
   return kNames[static_cast<int>(kind)];
 }
 

@@ -40,6 +40,7 @@ struct RunRecord {
   std::optional<MarginsFacts> margins;
   std::optional<PlanFacts> plan;
   std::optional<IdentificationFacts> identification;
+  std::optional<ValidationFacts> validation;
   std::optional<ExcitationFacts> excitation;
   std::optional<YardstickFacts> yardstick;
   std::vector<ComponentVersion> versions;
@@ -58,6 +59,7 @@ struct RunRecord {
     f("tuned", run.tuned, "", kIfAny)("front", run.front, "", kIfAny);
     f("robustness", run.robustness, "", kIfAny)("margins", run.margins, "", kIfAny);
     f("plan", run.plan, "", kIfAny)("identification", run.identification, "", kIfAny);
+    f("validation", run.validation, "", kIfAny);
     f("excitation", run.excitation, "", kIfAny)("yardstick", run.yardstick, "", kIfAny);
     f("versions", run.versions)("machine", run.machine)("arithmetic", run.arithmetic);
     f("inputs", run.inputs);

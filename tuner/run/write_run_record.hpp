@@ -1,5 +1,6 @@
 #pragma once
-// Completes the record of a run with its circumstances, and writes it into the run folder.
+// Completes the record of a run with its date, machine, versions and the hashes of its inputs, and writes it
+// into the run folder.
 
 #include <string>
 #include <utility>
@@ -18,7 +19,7 @@ struct FilesRead {
 };
 
 /// Sets the date, the versions, the machine, the arithmetic, and the inputs with the hashes of what was read.
-/// The other members are those of `record`. The inputs have no copies.
+/// The other members are those of `record`. No copies of the inputs are named.
 RunRecord with_circumstances(RunRecord record, const FilesRead& files);
 
 /// Writes run.json with these additions, and copies of the inputs into the folder inputs/ (keep_inputs). The

@@ -15,7 +15,7 @@ namespace armtune::internal {
 /// largest one, or the smallest one if larger values of the metric are better.
 enum class RiskMeasure {
   kMean,
-  kQuantile,               ///< the value that a share `level` of the arms reaches or betters
+  kQuantile,               ///< the value that the share `level` of the arms attains or improves on
   kWorst,                  ///< the worst value
   kConditionalValueAtRisk  ///< mean of the worst values; their share of all values is 1 - level
 };

@@ -12,8 +12,8 @@ namespace armtune::internal {
 /// definition 7). sorted: the values in ascending order, at least one; p: in [0, 1].
 double quantile(std::span<const double> sorted, double p);
 
-/// Returns the conditional value at risk. For n values, this is the mean of the (1 - p) n largest ones. If
-/// (1 - p) n is not a whole number, the smallest of them is weighted with its fractional part. sorted: the
+/// Returns the conditional value at risk. For n values, this is the mean of the (1 - p) * n largest ones. If
+/// (1 - p) * n is not a whole number, the smallest of them is weighted with its fractional part. sorted: the
 /// values in ascending order, at least one; p: in [0, 1).
 double conditional_value_at_risk(std::span<const double> sorted, double p);
 

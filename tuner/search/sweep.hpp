@@ -1,6 +1,7 @@
 #pragma once
 // Lists the points of a study's coarse sweep. The sweep is a small grid around the start gains, like the
-// values that a person would try by hand. Each axis of the grid multiplies some gains by a few factors.
+// values that a person would try by hand. Along each axis of the grid, some gains are multiplied by a common
+// factor.
 
 #include <vector>
 

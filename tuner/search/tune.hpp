@@ -33,11 +33,11 @@ struct TuneCallbacks {
   ///   - warm: the point where a warm start begins;
   ///   - gradient: points for the finite differences of a search;
   ///   - verify: the best gains of a search in another engine, simulated in Simbody; also points between the
-  ///     start gains and the best gains, if `fault` finds a fault in the best.
+  ///     start gains and the best gains, if `fault` finds a fault in the best gains.
   std::function<void(const char* phase, const Evaluation&)> evaluated;
   std::function<void(const TuneProgress&)> progress;  ///< called like `evaluated`
-  /// Makes checks of gains that take too long to be made for every evaluation. Returns the fault that it
-  /// finds, or an empty text. No function: no such checks are made. See TuneResult::best.
+  /// Checks gains in ways that take too long to be used for every evaluation. Returns the fault that it
+  /// finds, or an empty text. If the function is empty, no such checks are made. See TuneResult::best.
   std::function<std::string(const Gains&)> fault;
 };
 
@@ -52,7 +52,7 @@ struct TuneResult {
   /// the run was interrupted while it searched in another engine; `best.engine` shows which. If the best
   /// gains have a fault (TuneCallbacks::fault), points between the start gains and these gains are tried
   /// (kSharesOfTheWay). The first of these points that has no fault, is feasible and is better than the start
-  /// becomes the best. If there is none, the gains with the fault remain the best.
+  /// gains becomes the best. If there is none, the gains with the fault remain the best.
   Evaluation best;
   long evaluations = 0;
   bool interrupted = false;

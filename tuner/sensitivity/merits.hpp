@@ -26,8 +26,8 @@ class Merits {
  public:
   using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
-  /// All arguments must outlive this object. progress: receives the number of evaluations that are done and
-  /// of those requested so far; may be empty.
+  /// All arguments must outlive this object. progress: receives the number of finished evaluations and the
+  /// number requested so far; may be empty.
   Merits(const Study& study, const Objective& objective, CandidateRunner& workers,
          const std::atomic<bool>& stop, const Progress& progress)
       : study_(study), objective_(objective), workers_(workers), stop_(stop), progress_(progress) {}

@@ -54,7 +54,7 @@ struct Sensitivity {
 /// are simulated in the engine in which the study searches. If this engine is not Simbody, Simbody checks the
 /// merit of `best` and the importance of the kConfirmed most important gains (Merits::confirmed). Returns
 /// nothing if `stop` became true before the end. objective: the objective of the study. progress: receives
-/// the number of evaluations that are done and of those requested so far, which may still increase.
+/// the number of finished evaluations and the number requested so far, which may still increase.
 std::optional<Sensitivity> sensitivity(
     const Study& study, const Objective& objective, const Gains& best,
     const std::vector<EvaluationRow>& journal, CandidateRunner& workers, const std::atomic<bool>& stop,
@@ -64,12 +64,13 @@ std::optional<Sensitivity> sensitivity(
 /// ranks. The result is NaN if there are fewer than three values, or if all values of a series are equal.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Returns the text of sensitivity.csv: one row per parameter, the most important first. Numbers read back
-/// bit-identical. If a number is missing, its cell is empty, and the column `status` gives the reason.
+/// Returns the text of sensitivity.csv: one row per parameter, the most important first. Numbers have all
+/// digits that are needed to read back the same value. If a number is missing, its cell is empty, and the
+/// column `status` gives the reason.
 std::string sensitivity_csv(const Study& study, const Sensitivity& sensitivity);
 
-/// Returns lines of advice. A line names a gain that ended at a bound or has no effect, and the change of the
-/// study that follows.
+/// Returns lines of advice. A line names a gain that ended at a bound or has no effect, and says how to
+/// change the study.
 std::vector<std::string> advice(const Study& study, const Sensitivity& sensitivity);
 
 /// Returns the study with the less important half of its parameters fixed at their start values.

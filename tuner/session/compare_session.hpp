@@ -24,7 +24,7 @@ class CompareSession {
   CompareSession(RolloutSettings settings, std::vector<GainsToSimulate> sets, SessionContext context,
                  SessionObserver& observer);
 
-  /// Runs the session; may be called once. Throws the same errors as SimulateSession::run.
+  /// Runs the session. May be called only once. Throws the same errors as SimulateSession::run.
   CompareOutcome run();
 
  private:

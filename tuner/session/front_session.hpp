@@ -1,7 +1,8 @@
 #pragma once
 // The work of the command `armtune pareto`. It finds the Pareto front of a study, which shows how much one
-// criterion gets worse when another one improves. It searches, simulates every point of the front again and,
-// if it has an output folder, writes all files. A run with a folder can be resumed there.
+// criterion gets worse when another one improves. It searches the front, and simulates every point of the
+// front again. If an output folder is given, it writes all files there. A run with a folder can be resumed
+// there.
 
 #include <optional>
 #include <string>
@@ -18,7 +19,7 @@ namespace armtune::internal {
 struct FrontSettings {
   RunPlace place = {};
   std::vector<std::string> criteria;  ///< names of two or three criteria; the first is minimised
-  std::size_t levels = 0;             ///< limits tried for each other criterion; 0: 12, or 4 with three
+  std::size_t levels = 0;             ///< limits per further criterion; 0: 12 with two criteria, 4 with three
   long max_evaluations = 0;           ///< 0: four times the number in the study
   int workers = 1;                    ///< number of threads
   double deadline = 0.0;              ///< for one rollout, wall clock [s]; 0: derived from its duration
@@ -28,7 +29,7 @@ struct FrontOutcome {
   Ending ending = Ending::kInterrupted;
   bool was_finished = false;  ///< true if the run had ended before; only `ending` is set then
   ParetoOptions options;
-  ParetoResult result;             ///< has no evaluations if interrupted before the start was simulated
+  ParetoResult result;             ///< no evaluations if interrupted while start gains were simulated
   bool verified = false;           ///< true if every point was simulated again
   std::vector<std::string> files;  ///< names of the files in the folder
   double seconds = 0.0;            ///< wall time of the session [s]
@@ -47,11 +48,11 @@ class FrontSession {
   /// The observer must outlive the session.
   FrontSession(Study study, FrontSettings settings, SessionContext context, FrontObserver& observer);
 
-  /// Runs the session; may be called once. Returns nothing in an MPI rank other than 0, which only simulates
-  /// for rank 0. Throws InputError if a criterion is unknown or named twice, if a new run's folder is not
-  /// empty, if the folder to resume contains another run, or if the start gains give no reference. Throws
-  /// FailedError if a file cannot be written, or if a point gives different results when it is simulated
-  /// again. Everything that was completed before an error stays in the folder.
+  /// Runs the session. May be called only once. Returns nothing in an MPI rank other than 0, which only
+  /// simulates for rank 0. Throws InputError if a criterion is unknown or named twice, if a new run's folder
+  /// is not empty, if the folder to resume contains another run, or if the start gains give no reference.
+  /// Throws FailedError if a file cannot be written, or if a point gives different results when it is
+  /// simulated again. Everything that was completed before an error stays in the folder.
   std::optional<FrontOutcome> run(RankGroup& ranks);
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 // Manages the folder of a run that can be resumed after it was killed. It locks the folder, and keeps a
 // journal of everything that was completed. It also keeps copies of the input files, and adds up the wall
-// time of all parts of the run.
+// time of all parts of a run that was resumed.
 
 #include <functional>
 #include <memory>

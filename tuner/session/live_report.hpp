@@ -16,7 +16,7 @@ class LiveReport {
   LiveReport(std::string folder, SessionObserver& observer);
 
   /// Rewrites FOLDER/report.html if the last report is old enough. Call it after every evaluation. Reports
-  /// are some seconds apart, and writing them takes at most a twentieth of the time. Never throws. If a
+  /// are some seconds apart, and writing them takes at most a twentieth of the wall time. Never throws. If a
   /// report cannot be written, it warns once, and the search continues without further reports. evaluations:
   /// number of evaluations so far; most_evaluations: largest number; seconds_left: estimated time left [s].
   void update(long evaluations, long most_evaluations, double seconds_left);

@@ -1,6 +1,6 @@
 #pragma once
-// The work of the command `armtune margins`. It searches the stability margins of a gain set, and writes them
-// to its folder, if it has one.
+// The work of the command `armtune margins`. It finds the stability margins of a gain set. If an output
+// folder is given, it writes the margins there.
 
 #include <string>
 #include <vector>
@@ -32,9 +32,9 @@ class MarginsSession {
   /// The observer must outlive the session.
   MarginsSession(MarginsSettings settings, SessionContext context, SessionObserver& observer);
 
-  /// Runs the session; may be called once. The checks failed if a loop does not hold at the nominal value of
-  /// a margin. Throws InputError if the folder is not empty, and FailedError if a file cannot be written.
-  /// margins.csv always has the margins that are done.
+  /// Runs the session. May be called only once. The check of a margin fails if a loop is not stable at the
+  /// nominal value of the margin. Throws InputError if the folder is not empty, and FailedError if a file
+  /// cannot be written. At any time, margins.csv has the margins that are finished.
   MarginsOutcome run();
 
  private:

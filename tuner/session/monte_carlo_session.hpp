@@ -49,10 +49,10 @@ class MonteCarloSession {
   /// The observer must outlive the session.
   MonteCarloSession(MonteCarloSettings settings, SessionContext context, MonteCarloObserver& observer);
 
-  /// Runs the session; may be called once. Returns nothing in an MPI rank other than 0, which only simulates
-  /// for rank 0. Throws InputError if the perturbation is not valid, if a new run's folder is not empty, or
-  /// if the folder to resume contains another run. Throws FailedError if a file cannot be written. Everything
-  /// that was completed before an error stays in the folder.
+  /// Runs the session. May be called only once. Returns nothing in an MPI rank other than 0, which only
+  /// simulates for rank 0. Throws InputError if the perturbation is not valid, if a new run's folder is not
+  /// empty, or if the folder to resume contains another run. Throws FailedError if a file cannot be written.
+  /// Everything that was completed before an error stays in the folder.
   std::optional<MonteCarloOutcome> run(RankGroup& ranks);
 
  private:

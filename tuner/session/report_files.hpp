@@ -19,8 +19,8 @@ inline constexpr const char* kScene = "scene.json";
 inline constexpr const char* kReport = "report.html";
 
 /// Calls `scene` and writes its result as scene.json. Then writes report.html if armtune was built with the
-/// report page. Returns the names of the written files. Never throws, because the run itself is finished: it
-/// only warns.
+/// report page. Returns the names of the written files. Never throws but only warns, because the run itself
+/// is finished.
 std::vector<std::string> add_report(const std::string& folder, const std::function<report::Scene()>& scene,
                                     SessionObserver& observer);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The work of the command `armtune sensitivity`. It computes how much each gain matters in a finished run,
-// and writes the figures and a smaller study to its folder, if it has one.
+// The work of the command `armtune sensitivity`. It computes how much each gain matters in a finished run. If
+// an output folder is given, it writes the results and a smaller study there.
 
 #include <optional>
 #include <string>
@@ -33,9 +33,9 @@ class SensitivitySession {
   /// The observer must outlive the session.
   SensitivitySession(SensitivitySettings settings, SessionContext context, SessionObserver& observer);
 
-  /// Runs the session; may be called once. Returns nothing in an MPI rank other than 0, which only simulates
-  /// for rank 0. If interrupted, writes nothing. Throws InputError if a file of the run cannot be used or the
-  /// folder is not empty, and FailedError if a file cannot be written.
+  /// Runs the session. May be called only once. Returns nothing in an MPI rank other than 0, which only
+  /// simulates for rank 0. If interrupted, writes nothing. Throws InputError if a file of the run cannot be
+  /// used or the folder is not empty, and FailedError if a file cannot be written.
   std::optional<SensitivityOutcome> run(RankGroup& ranks);
 
  private:

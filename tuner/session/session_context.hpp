@@ -17,7 +17,7 @@ struct Invocation {
 };
 
 struct SessionContext {
-  const std::atomic<bool>& stop;  ///< true: the session ends soon, and keeps results; must outlive it
+  const std::atomic<bool>& stop;  ///< true: the session ends soon, keeping results; must outlive the session
   Invocation invocation = {};
 };
 

@@ -33,6 +33,7 @@ SimulateOptions simulate_options(const RolloutSettings& settings, const std::str
   options.workers = settings.workers;
   options.folder = folder;
   options.record_stride = settings.record_every;
+  options.mcap = settings.mcap;
   options.deadline = settings.deadline;
   options.recorded = settings.recorded;
   options.progress = [progress = progress_of(observer, set + ": scenarios"),
@@ -125,6 +126,7 @@ void SimulateSession::write_files() {
   write_run_record(folder, std::move(record), files);
   outcome_.files = {"errors.csv", "rollout_<scenario>.csv", "columns.csv", "gains.yaml", kRunRecord,
                     "inputs/"};
+  if (settings_.mcap) outcome_.files.emplace_back("rollout_<scenario>.mcap");
   if (!settings_.yardstick || context_.stop) return;
   const YardstickFiles yardstick = settings_.yardstick(folder, scenarios, gains_.gains_of);
   write_errors(yardstick);

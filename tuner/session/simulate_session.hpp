@@ -18,7 +18,7 @@
 
 namespace armtune::internal {
 
-/// A gain set to simulate. It must fit the robots of all scenarios.
+/// A gain set to simulate. It must be valid for the robots of all scenarios.
 struct GainsToSimulate {
   std::string name;                                ///< name of the set, such as "published"
   std::string path;                                ///< path of its file; empty: the gains are from no file
@@ -37,8 +37,9 @@ struct RolloutSettings {
   double endurance = 0.0;    ///< length to which every scenario is extended [min]; 0: not extended
   Yardstick yardstick = {};  ///< comparison with the best possible motions; empty: no comparison
   /// True: examine tasks (task_notes.hpp) and robot files (plausibility.hpp). This takes some milliseconds
-  /// for each scenario, and adds warnings, and notes and assumptions of the verdict.
+  /// for each scenario, and adds warnings, and notes and assumptions in the verdict.
   bool examine = true;
+  bool mcap = false;  ///< true: also write the recordings as MCAP files (motion_bag.hpp)
   /// Receives each recording, as in simulate.hpp; may be empty.
   std::function<void(std::size_t scenario, Recorder recorder, bool completed)> recorded = {};
 };
@@ -77,9 +78,9 @@ class SimulateSession {
   SimulateSession(RolloutSettings settings, GainsToSimulate gains, SessionContext context,
                   SessionObserver& observer);
 
-  /// Runs the session; may be called once. Throws InputError if the folder is not empty, if a path that is
-  /// examined moves a joint beyond its position limits with any gains (refuse_winding), or if the recordings
-  /// do not fit in memory. Throws FailedError if a file cannot be written.
+  /// Runs the session. May be called only once. Throws InputError if the folder is not empty, if a path that
+  /// is examined moves a joint beyond its position limits with any gains (refuse_winding), or if the
+  /// recordings do not fit in memory. Throws FailedError if a file cannot be written.
   SimulateOutcome run();
 
  private:

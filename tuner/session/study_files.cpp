@@ -84,8 +84,9 @@ void write_start(const Study& study, const std::string& folder) {
   make_folder(folder + "/start");
   write_text_file(
       folder + "/start/gains.yaml",
-      gains_yaml(study.space.start, {study.given ? "armtune's first gains, for " + shown_path(study.source)
-                                                 : "start gains of " + shown_path(study.source)}));
+      gains_yaml(study.space.start,
+                 {study.given ? "start gains that armtune computed for " + shown_path(study.source)
+                              : "start gains of " + shown_path(study.source)}));
   if (study.given) {
     make_folder(folder + "/given");
     write_text_file(folder + "/" + kGivenGains,
@@ -117,8 +118,9 @@ void warn_of_clamped(const Study& study, SessionObserver& observer) {
 std::string given_note(const Study& study) {
   if (!study.given) return {};
   return fmt::format(
-      "the start gains of the study cannot be a reference ({}). Therefore armtune computed first gains, "
-      "which are named 'start' in the results; the study's own start gains are named 'given'",
+      "the start gains of the study cannot be a reference ({}). The objective needs one, so armtune computed "
+      "other start gains, which are named 'start' in the results. The study's own start gains are named "
+      "'given'",
       study.given_failure);
 }
 

@@ -45,8 +45,9 @@ std::vector<std::string> inputs_of(const Study& study);
 /// run, and what the search found. workers: number of workers of the search; seconds: wall time [s].
 RunRecord record_of_search(const Study& study, const Invocation& invocation, int workers, double seconds);
 
-/// Writes the start of the search: start/ and study.yaml. If armtune replaced the study's own start gains,
-/// also writes them into given/. Call it before the search simulates anything but the start gains.
+/// Writes what the search starts from: the start gains into start/, and study.yaml. If armtune replaced the
+/// study's own start gains, also writes them into given/. Call it before the search simulates anything but
+/// the start gains.
 void write_start(const Study& study, const std::string& folder);
 /// Writes the warm start's gains into a run folder. Returns the file's name for study.yaml of that folder, or
 /// an empty text if there is no warm start.

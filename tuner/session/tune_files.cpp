@@ -66,6 +66,7 @@ std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& re
   how.stepper = study.stepper;
   how.workers = settings.workers;
   how.record_stride = settings.record_every;
+  how.mcap = settings.mcap;
   how.folder = folder.empty() ? "" : folder + "/start";
   const auto start = [&](const Scenario&) { return study.space.start; };
   std::vector<ComparedSet> sets = {{"start", simulate(study.scenarios, start, how, never)}};

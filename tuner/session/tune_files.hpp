@@ -15,8 +15,8 @@ namespace armtune::internal {
 std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& result,
                                         const TuneSettings& settings);
 
-/// Simulates all arms of a study that tunes on several arms again, with the start gains and with the
-/// resulting gains. Returns the risk measures of the metrics over the arms, such as the worst values, for
+/// For a study that tunes on several arms, simulates all of these arms again, with the start gains and with
+/// the resulting gains. Returns the risk measures of the metrics over the arms, such as the worst values, for
 /// both gain sets. If the run has a folder, writes these measures as robust_errors.csv. Throws FailedError if
 /// they differ from those that the search computed in Simbody.
 std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResult& result,
@@ -34,8 +34,9 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 /// file, writes nothing and returns an empty text. Throws InputError if the file cannot contain the gains.
 std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder);
 
-/// Writes errors.csv of every gain set, and columns.csv. sets: start, result and perhaps given; yardsticks:
-/// comparisons with the best possible motions, one for the start and one for the result.
+/// Writes errors.csv of every gain set, and columns.csv. sets: the start gains, the resulting gains and
+/// perhaps the replaced start gains (Study::given); yardsticks: comparisons with the best possible motions,
+/// one for the start gains and one for the resulting gains.
 void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
                   const std::vector<YardstickFiles>& yardsticks, const std::string& folder);
 

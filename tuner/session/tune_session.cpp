@@ -207,6 +207,7 @@ void TuneSession::conclude(bool analysed) {
     };
     add({"gains.yaml", "errors.csv", "rollout_<scenario>.csv", "evaluations.csv", "columns.csv", "study.yaml",
          kRunRecord});
+    if (settings_.mcap) add({"rollout_<scenario>.mcap"});
     if (study_.given) add({"given/"});
     if (!interrupted && analysed && outcome_.verdict.passed()) write_controllers_if_any();
     if (!interrupted) add({"verdict.yaml"});

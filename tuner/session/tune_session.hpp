@@ -34,13 +34,14 @@ struct TuneSettings {
   int record_every = 5;      ///< control periods per row of the recordings
   bool analysis = true;      ///< true: compute margins and sensitivities, and make the long checks
   bool live = false;         ///< true: rewrite report.html every few seconds during the search
+  bool mcap = false;         ///< true: also write the recordings as MCAP files (motion_bag.hpp)
   Yardstick yardstick = {};  ///< comparison with the best possible motions; empty: no comparison
 };
 
 struct TuneOutcome {
   Ending ending = Ending::kInterrupted;
   bool was_finished = false;           ///< true if the run had ended before; only `ending` is set then
-  TuneResult result;                   ///< has no evaluations if interrupted before the start was simulated
+  TuneResult result;                   ///< no evaluations if interrupted while start gains were simulated
   std::optional<Objective> objective;  ///< set once the start gains were simulated
   /// Results of simulate_again(): for the start gains, the resulting gains and, if the study has them, the
   /// gains Study::given. Empty if the session ended right after an interrupted search.
@@ -81,10 +82,10 @@ class TuneSession {
   /// The observer must outlive the session.
   TuneSession(Study study, TuneSettings settings, SessionContext context, TuneObserver& observer);
 
-  /// Runs the session; may be called once. Returns nothing in an MPI rank other than 0, which only simulates
-  /// for rank 0. Throws InputError if a new run's folder is not empty, if the folder to resume contains
-  /// another run, or if the start gains give no reference. Throws FailedError if a file cannot be written.
-  /// Everything that was completed before an error stays in the folder.
+  /// Runs the session. May be called only once. Returns nothing in an MPI rank other than 0, which only
+  /// simulates for rank 0. Throws InputError if a new run's folder is not empty, if the folder to resume
+  /// contains another run, or if the start gains give no reference. Throws FailedError if a file cannot be
+  /// written. Everything that was completed before an error stays in the folder.
   std::optional<TuneOutcome> run(RankGroup& ranks);
 
  private:

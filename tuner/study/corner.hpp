@@ -35,7 +35,7 @@ const std::array<MarginThreshold, kMarginCount>& margin_thresholds();
 /// noise and control rate, this is the factor of the demand times the scenario's own value.
 double demanded_value(const MarginDemand& demand, const Scenario& scenario);
 
-/// True if the sensors of any scenario are noisy. Without noise, a factor on the noise demands nothing.
+/// True if the sensors of any scenario are noisy. Without noise, a factor on the noise has no effect.
 bool has_noise(const std::vector<Scenario>& scenarios);
 
 /// Returns the corner: the scenario with the margin's quantity at the demanded value. Its name is the

@@ -42,12 +42,12 @@ Hopeless read_hopeless(const yaml::Node* node, Metric metric, bool upper, std::o
   const char* bound = upper ? "at_most" : "at_least";
   if (!can_be_hopeless(metric, upper)) {
     const std::string usable = fmt::format("{}", fmt::join(names_of_those_that_can(upper), ", "));
-    node->fail(
-        fmt::format("'hopeless' cannot be used for {} with '{}', because a rollout that violates this early "
-                    "can still meet it at the end; leave the key out. With '{}', 'hopeless' can be used "
-                    "for: {}",
-                    name(metric), bound, bound, usable),
-        fmt::format("never or auto; a number only for: {}", usable));
+    node->fail(fmt::format(
+                   "'hopeless' cannot be used for {} with '{}', because a rollout that violates the limit "
+                   "early can still keep it at the end; leave the key out. With '{}', 'hopeless' can be used "
+                   "for: {}",
+                   name(metric), bound, bound, usable),
+               fmt::format("never or auto; a number only for: {}", usable));
   }
   if (limit && (upper ? value <= *limit : value >= *limit)) {
     const char* beyond = upper ? "above" : "below";

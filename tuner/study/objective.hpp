@@ -44,8 +44,9 @@ class Objective {
  public:
   /// scenarios: all simulated scenarios, corners included. start: results of the start gains, one per
   /// scenario. A constraint with Hopeless::Kind::kAuto abandons no rollout in a scenario where it would
-  /// abandon the rollout of the start gains. Throws InputError if the start gains give no
-  /// reference. Its place is `where`, with a key path such as "constraints/1/at_most":
+  /// abandon the rollout of the start gains. Throws InputError if the start gains give no reference. The
+  /// place of the error is `where`, with a key path such as "constraints/1/at_most". The start gains give no
+  /// reference in these cases:
   /// - a scenario did not complete (corners may fail);
   /// - neither the metric's value nor the floor of a term is above zero;
   /// - a constraint has the metric's value with the start gains as its limit, but there is no such value;
@@ -56,10 +57,10 @@ class Objective {
             const std::string& where, OwnObjective own = {});
 
   /// Sets objective, constraints, violation, feasible, completed and reason of `e` from its results. If a
-  /// scenario other than a corner did not complete, `e` is infeasible. In a term, a penalty is then the
-  /// scenario's score. The penalty is finite, and larger than the score of any completed scenario. It
-  /// increases if the rollout ends earlier, and for a hopeless rollout also if constraints are broken
-  /// farther. The user's own objective is replaced by a constant penalty.
+  /// scenario other than a corner did not complete, `e` is infeasible. In each term, a penalty then takes the
+  /// place of the scenario's score. The penalty is finite, and larger than the score of any completed
+  /// scenario. It is larger if the rollout ended earlier. For a hopeless rollout it is also larger if
+  /// constraints are broken farther. The user's own objective is replaced by a constant penalty.
   void judge(Evaluation& e) const;
 
   /// Returns the limits at which a candidate's rollouts are abandoned, one entry per simulated scenario. Do
@@ -82,7 +83,7 @@ class Objective {
   /// such as a diverged rollout, 1 is used in place of how_far().
   double incompleteness(const RolloutResult& result, std::size_t s) const;
   /// Returns a measure, from 0 to 1, of how far the constraints are broken. It is w / (1 + w), where w is the
-  /// largest excess relative to its limit of all constraints that can be hopeless; 0 if none is broken.
+  /// largest relative excess among the constraints that can be hopeless. It is 0 if none of them is broken.
   double how_far(const RolloutResult& result, std::size_t s) const;
   double reference(const ObjectiveTerm& term, std::size_t s) const {
     return std::max(term.floor, start_[s][term.metric]);

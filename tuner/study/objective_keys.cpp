@@ -109,7 +109,8 @@ std::vector<ObjectiveTerm> read_objective(const yaml::Node& node, const std::vec
     term.metric = read_metric(map.required("metric"));
     if (field(term.metric).better == Better::kNeither) {
       map.required("metric").fail(fmt::format(
-          "{} cannot be an objective, because neither larger nor smaller is better; give another metric",
+          "{} cannot be an objective, because neither larger nor smaller values are better; give another "
+          "metric",
           name(term.metric)));
     }
     term.weight = read_scale(map, "weight", 1.0);
@@ -150,7 +151,8 @@ void end_no_sample_early(const yaml::Node& node, std::vector<Constraint>& constr
     if (constraints[c].hopeless.kind == Hopeless::Kind::kFrom) {
       node.items()[c]
           .find("hopeless")
-          ->fail("is possible only with 'measure: worst' under 'robust'; leave the key out", "never or auto");
+          ->fail("may have a value only with 'measure: worst' under 'robust'; leave the key out",
+                 "never or auto");
     }
     constraints[c].hopeless.kind = Hopeless::Kind::kNever;
   }

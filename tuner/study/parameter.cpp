@@ -90,8 +90,9 @@ void validate(const ParameterSpace& space, const std::string& where) {
   if (space.free.empty())
     throw InputError(
         InputPlace{where, 0, "parameters"},
-        "no parameter to tune; list some under 'parameters'. If the study has no such list, no gain of " +
-            space.start.controller + " acts in its scenarios: take another controller");
+        "no parameter to tune; list some under 'parameters'. If the study has no such list, armtune tunes "
+        "the gains that act in its scenarios, but " +
+            space.start.controller + " has none: choose another controller");
   for (const Parameter& p : space.free) {
     const auto fail = [&](const std::string& what, std::optional<double> given = {},
                           const std::string& limit = {}) {

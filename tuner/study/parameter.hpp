@@ -55,8 +55,9 @@ struct ParameterSpace {
   std::vector<Parameter> free;  ///< tuned parameters
   std::vector<Link> links;
 
-  /// Returns the search coordinates of the start gains. There is one per tuned parameter. It is 0 at the
-  /// lower bound and 1 at the upper bound, and linear between them on the parameter's scale.
+  /// Returns the search coordinates of the start gains. There is one coordinate per tuned parameter. It is 0
+  /// at the lower bound and 1 at the upper bound of the parameter, and linear in between on the parameter's
+  /// scale.
   std::vector<double> start_point() const;
   /// Returns the gains at search coordinates. Coordinates outside [0, 1] are clamped to this range.
   Gains gains_at(const std::vector<double>& x) const;
@@ -65,8 +66,8 @@ struct ParameterSpace {
 };
 
 /// Throws InputError, with `where` in front, if there is no tuned parameter, or if a tuned parameter is not
-/// valid. Its lower bound must be below its upper bound, and not negative. Its start must lie between them.
-/// On a log scale, the lower bound must be above zero, and the ratio of the bounds at most 1e30.
+/// valid. Its lower bound must be below its upper bound, and not negative. Its start value must lie between
+/// the bounds. On a log scale, the lower bound must be above zero, and the ratio of the bounds at most 1e30.
 void validate(const ParameterSpace& space, const std::string& where);
 
 }  // namespace armtune::internal

@@ -102,11 +102,11 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
       space.links.push_back({entry, static_cast<std::size_t>(target - space.free.begin()), factor});
     } else {
       if (entry.field->search == SearchRange::kBounded && upper == nullptr)
-        node.fail(
-            fmt::format("{} has no 'upper'; give its largest value{}, because it depends on contacts, which "
-                        "are not simulated",
-                        entry.name, unit_of(*entry.field)),
-            "the key 'upper'");
+        node.fail(fmt::format(
+                      "{} has no 'upper'; give its largest value{}, because this value depends on contacts, "
+                      "which are not simulated",
+                      entry.name, unit_of(*entry.field)),
+                  "the key 'upper'");
       if (start != nullptr) value(space.start, entry) = start->as_number();
       Parameter p = default_parameter(entry, space.start);
       if (!scale.empty()) p.scale = scale == "log" ? Scale::kLog : Scale::kLinear;

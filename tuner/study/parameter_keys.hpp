@@ -11,9 +11,10 @@ namespace armtune::internal {
 
 /// Returns the search space that the entries of `parameters` describe. If the key is missing (node is null),
 /// the space contains all gains that are tuned by default, between their default bounds. start: the start
-/// gains; an entry can replace a value. task: true if any scenario has a task for the tool; orientation: true
-/// if any tracks an orientation. If false, the gains that act only on these are not tuned by default. Throws
-/// InputError with file, line and key.
+/// gains; an entry can replace a value. task: true if any scenario has a task for the tool; if false, gains
+/// that act only on tasks are not tuned by default. orientation: true if any scenario tracks an orientation;
+/// if false, gains that act only on orientations are not tuned by default. Throws InputError with file, line
+/// and key.
 ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std::vector<std::string>& joints,
                           bool task, bool orientation);
 

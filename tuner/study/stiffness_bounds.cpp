@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "armtune/error.hpp"
+#include "tuner/study/shared_gains.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -52,7 +53,7 @@ double bound_of(const GainEntry& entry, const std::vector<double>& most) {
   const std::string fewest =
       is_of_task(entry) ? "one for translations and one for rotations" : "one for all joints";
   throw InputError(InputPlace{.key = kOption},
-                   fmt::format("{} numbers are given, and {} has {}; give {}, or one for each of them", count,
+                   fmt::format("{} numbers are given, but {} has {}; give {}, or one for each of them", count,
                                entry.field->name, entry.count, fewest))
       .with_value(fmt::to_string(count),
                   fmt::format("{} or {} numbers", is_of_task(entry) ? 2 : 1, entry.count));
@@ -65,8 +66,9 @@ void bound_stiffness(const std::vector<double>& most, Study& study) {
   if (entries.empty())
     throw InputError(
         InputPlace{.key = kOption},
-        fmt::format("has no effect, because {} has no stiffness that acts here; leave the option out",
-                    study.space.start.controller));
+        fmt::format(
+            "has no effect, because {} has no stiffness that acts in the scenarios; leave the option out",
+            study.space.start.controller));
   for (const GainEntry& entry : entries) {
     if (is_tuned_or_linked(entry, study.space))
       throw InputError(InputPlace{where(study), 0, entry.name},
@@ -80,6 +82,7 @@ void bound_stiffness(const std::vector<double>& most, Study& study) {
     study.space.free.push_back({entry, start, entry.field->lower_factor * start, upper, Scale::kLog});
   }
   validate(study.space, where(study));
+  refuse_split_numbers(study);
 }
 
 std::string note_on_stiffness(const Study& study) {

@@ -29,28 +29,28 @@ struct Study {
   std::string description;
   std::string gains;  ///< path of the file with the start gains; empty: none
   std::string node;   ///< name of the controller in that file, if it contains several; otherwise empty
-  std::optional<RosDistro> distro;  ///< whose rules the controller in that file follows, if given
+  std::optional<RosDistro> distro;  ///< distribution of ROS whose rules that controller follows, if given
   std::vector<Scenario> scenarios;
   ParameterSpace space;
   std::optional<Gains> given;  ///< the study's own start gains, if armtune replaced them
   std::string given_failure;   ///< why the gains `given` cannot be used: the failing scenario and its end
   std::vector<ObjectiveTerm> terms;
   OwnObjective own_objective;           ///< replaces the terms, for a study with a user's own objective
-  std::vector<Constraint> constraints;  ///< those of `margins` come after the others
+  std::vector<Constraint> constraints;  ///< the constraints that come from `margins` are the last
   std::vector<MarginDemand> margins;    ///< demanded in every scenario; one corner rollout per scenario
   std::vector<SweepAxis> sweep;         ///< may be empty
   std::optional<SampleSet> robust;      ///< random arms to tune on; none: only the scenarios' own arms
   std::optional<WarmStart> warm;        ///< none: the search starts at the start gains
   VerdictThresholds thresholds;         ///< thresholds of the checks after the search
   SolverOptions solver;                 ///< options of the local search
-  std::size_t starts = 1;               ///< parallel local searches; the first starts as a single one would
+  std::size_t starts = 1;               ///< local searches at once; the first starts where a single one would
   std::string global_algorithm;         ///< global search before the local one; empty: no global search
   bool global_by_default = false;       ///< true if the study's file named no algorithm at all
-  double global_share = 0.5;   ///< global search's share of the evaluations left after start and sweep
-  long max_evaluations = 300;  ///< start and sweep included
+  double global_share = 0.5;   ///< global search's share of the evaluations that start gains and sweep leave
+  long max_evaluations = 300;  ///< those of the start gains and the sweep included
   double max_minutes = 0.0;    ///< wall time from the start to the last evaluation [min]; 0: no limit
   Stepper stepper = Stepper::kMidpoint;
-  Engine engine = Engine::kSimbody;  ///< of sweep and search; Simbody always simulates start and result
+  Engine engine = Engine::kSimbody;  ///< of sweep and search; Simbody always simulates start gains and result
   double verify_share = 0.03;        ///< share of evaluations and minutes reserved for Simbody, if it is not
                                      ///< the engine of the search
 };
@@ -93,8 +93,8 @@ struct StudyParts {
 
 /// Reads a bundled study by name, or a study file by path. controller: the kind of controller to tune; empty:
 /// the kind that the study gives. If the start gains are of another kind, they are converted (convert_gains).
-/// If `controller` is not the kind that the study gives, its `parameters` are ignored, and all gains that are
-/// tuned by default are tuned. Throws InputError.
+/// If `controller` is not the kind that the study gives, the study's `parameters` are ignored, and all gains
+/// that are tuned by default are tuned. Throws InputError.
 Study load_study(const std::string& name_or_path, const std::string& controller = {},
                  const StudyParts& parts = {});
 

@@ -15,6 +15,7 @@
 #include "tuner/study/objective_keys.hpp"
 #include "tuner/study/parameter_keys.hpp"
 #include "tuner/study/search_keys.hpp"
+#include "tuner/study/shared_gains.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
@@ -123,7 +124,7 @@ void validate_bounds(const ParameterSpace& space, const std::vector<std::string>
     try {
       validate(space.gains_at(corner), joints, file);
     } catch (const InputError& e) {
-      throw e.with(". The value lies within the bounds of 'parameters'");
+      throw e.with(". The bounds under 'parameters' allow this value; change them");
     }
   }
 }
@@ -153,6 +154,7 @@ Study read_study(const yaml::Node& root, const std::string& source, const std::s
   validate(study.space, root.file());
   validate_bounds(study.space, joints, root.file());
   study.space.start = study.space.gains_at(study.space.start_point());  // with links; these gains score 1
+  if (!parts.start) refuse_split_numbers(study);
   study.own_objective = parts.objective;
   if (parts.objective) {
     map.optional("objective");

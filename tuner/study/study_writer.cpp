@@ -38,8 +38,9 @@ std::string auto_text(const Constraint& c) {
   if (!default_hopeless(c.metric, c.upper, 0.0)) return "  # hopeless: never";
   if (!c.limit)
     return fmt::format("  # hopeless: {}", c.upper ? "twice the start value" : "0.1 below the start value");
-  return fmt::format("  # hopeless from {} on, unless the start gains are already past this value",
-                     *default_hopeless(c.metric, c.upper, *c.limit));
+  return fmt::format(
+      "  # an evaluation is abandoned from {} on, unless the start gains are already past this value",
+      *default_hopeless(c.metric, c.upper, *c.limit));
 }
 
 std::string parameters_yaml(const ParameterSpace& space) {

@@ -1,6 +1,7 @@
 #pragma once
-// Score of one objective term in one scenario: a metric relative to its reference. The reference itself
-// scores 1. A smaller score is always better, even if a larger value of the metric is better.
+// Score of one objective term in one scenario: the metric's value relative to a reference, which is usually
+// its value with the start gains. The reference itself scores 1. A smaller score is always better, even if a
+// larger value of the metric is better.
 
 #include "sim/metrics/metric.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-// A warm start: the search starts at gains that an earlier run found. The objective is still
-// divided by that of the study's own start gains.
+// A warm start: the search starts at gains that an earlier run found. The objective is still relative to the
+// study's own start gains.
 
 #include <optional>
 #include <string>
@@ -27,13 +27,13 @@ struct WarmPoint {
 };
 
 /// Sets source and gains from a run folder, or from a gains file that load_gains can read. relative_to: a
-/// further folder in which `folder_or_file` is searched. Throws InputError if the gains cannot be read, or if
-/// they are for another controller than the gains of the space.
+/// further folder to which a relative path in `folder_or_file` may refer. Throws InputError if the gains
+/// cannot be read, or if they are for another controller than the start gains of `space`.
 void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const ParameterSpace& space,
                      const std::vector<std::string>& joints, const std::string& relative_to = {});
 
 /// Returns the point of a warm start. The bounds are centred on it; with `box` 1 they are those of the study.
-/// Throws InputError if a name in `parameters` is not that of a tuned gain, or if a gain that is used is
+/// Throws InputError if a name in `parameters` is not the name of a tuned gain, or if a gain that is used is
 /// missing in the warm start.
 WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm);
 

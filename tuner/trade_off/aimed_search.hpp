@@ -41,8 +41,8 @@ class AimedSearch {
   /// Returns the best of all points, compared by better() (evaluation.hpp). If no point is feasible, this is
   /// the point with the smallest violation of the constraints.
   const Evaluation& best() const { return *best_; }
-  /// Returns a result without front and levels. It contains the start, the number of evaluations, and whether
-  /// the run was interrupted or ran out of time.
+  /// Returns a result without front and levels. It contains the evaluation of the start gains, the number of
+  /// evaluations, and whether the run was interrupted or ran out of time.
   const ParetoResult& so_far() const { return out_; }
 
  private:

@@ -21,8 +21,8 @@ class Archive {
 
   /// Returns the search coordinates at which the search for these levels starts. They belong to the point
   /// with the smallest sum of the first cost and a penalty for costs above the levels. Usually, this point
-  /// was found for a neighbouring level. start: the start gains; all costs are divided by theirs. If the
-  /// archive is empty, the coordinates of `start` are returned.
+  /// was found for a neighbouring level. start: the start gains; all costs are divided by the costs of these
+  /// gains. If the archive is empty, the coordinates of `start` are returned.
   const std::vector<double>& beginning(const Costs& levels, const ParetoPoint& start) const;
 
  private:

@@ -32,10 +32,11 @@ Criterion criterion_from_name(const std::string& name) {
   if (const auto metric = metric_from_name(name)) {
     if (field(*metric).better != Better::kNeither) return {metric};
     throw InputError(
-        fmt::format("{} cannot be a criterion, because neither larger nor smaller is better; choose another "
-                    "metric",
-                    name))
-        .with_value(name, "a metric of which larger or smaller values are better");
+        fmt::format(
+            "{} cannot be a criterion, because neither larger nor smaller values are better; choose another "
+            "metric",
+            name))
+        .with_value(name, "a metric that is better the smaller (or the larger) it is");
   }
   std::vector<std::string> names{kObjective};
   for (const MetricField& f : metric_fields()) names.emplace_back(f.name);

@@ -47,14 +47,14 @@ struct ParetoResult {
   ParetoPoint start;
   std::vector<ParetoPoint> front;  ///< feasible and not dominated, ascending in the first cost
   std::vector<ParetoLevel> levels;
-  double hypervolume = 0.0;  ///< hypervolume (front.hpp) with the start's costs as reference
+  double hypervolume = 0.0;  ///< hypervolume (front.hpp) with the costs of the start gains as reference
   long evaluations = 0;
   bool interrupted = false;
   bool out_of_time = false;  ///< true if the study's max_minutes ended the searches
   std::exception_ptr
       failure;  ///< error that ended the search early, such as a full disk; earlier results are kept
 
-  /// Returns the number of points of the front that dominate the start.
+  /// Returns the number of points of the front that dominate the start gains.
   std::size_t dominating_start() const;
 };
 
@@ -84,7 +84,7 @@ ParetoResult pareto(const Study& study, const ParetoOptions& options, CandidateR
                     Journal* journal = nullptr);
 
 /// Sets the front, the hypervolume and the best point of each level of `result`, computed from feasible
-/// points. Levels whose limits no point satisfies are removed. The start is not changed.
+/// points. Levels whose limits no point satisfies are removed. `result.start` is not changed.
 void settle(ParetoResult& result, const std::vector<ParetoPoint>& points);
 
 /// Simulates all points of the front again in Simbody (the dynamics library with which results are verified),

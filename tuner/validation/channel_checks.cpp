@@ -42,6 +42,15 @@ LogFinding clipped_at(const JointLog& log, Eigen::Index joint, double extreme, d
   return found;
 }
 
+void add_clipped(const JointLog& log, Eigen::Index joint, double least_share, std::vector<LogFinding>& out) {
+  const double low = log.torque.col(joint).minCoeff();
+  const double high = log.torque.col(joint).maxCoeff();
+  for (const double extreme : {low, high}) {
+    const LogFinding found = clipped_at(log, joint, extreme, high - low);
+    if (high > low && found.share >= least_share) out.push_back(found);
+  }
+}
+
 /// The longest time for which a channel keeps one value although `moves` says that it must not.
 template <typename Moves>
 LogFinding longest_frozen(const JointLog& log, const Eigen::MatrixXd& channel, Eigen::Index joint,
@@ -73,7 +82,8 @@ void add_frozen(const JointLog& log, Eigen::Index joint, double longest, std::ve
   const auto add = [&](const LogFinding& found) {
     if (found.value > longest) out.push_back(found);
   };
-  add(longest_frozen(log, log.torque, joint, LogFindingKind::kTorqueFrozen, position_moves));
+  if (log.has_torques())
+    add(longest_frozen(log, log.torque, joint, LogFindingKind::kTorqueFrozen, position_moves));
   if (!log.has_velocities()) return;
   add(longest_frozen(
       log, log.qd, joint, LogFindingKind::kVelocityFrozen, [&](Eigen::Index i, Eigen::Index end) {
@@ -117,12 +127,7 @@ std::vector<LogFinding> channel_findings(const RobotModel& model, const JointLog
     out.push_back(
         {.kind = LogFindingKind::kJump, .joint = jump.joint, .value = jump.size, .time = jump.time});
   for (Eigen::Index j = 0; j < model.n(); ++j) {
-    const double low = log.torque.col(j).minCoeff();
-    const double high = log.torque.col(j).maxCoeff();
-    for (const double extreme : {low, high}) {
-      const LogFinding found = clipped_at(log, j, extreme, high - low);
-      if (high > low && found.share >= thresholds.clipped_share) out.push_back(found);
-    }
+    if (log.has_torques()) add_clipped(log, j, thresholds.clipped_share, out);
     add_frozen(log, j, thresholds.frozen_time, out);
     const double over = over_limit(model, log, j);
     if (over > thresholds.outside_limits)

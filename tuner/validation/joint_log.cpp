@@ -78,7 +78,7 @@ UniformStretch resampled(const JointLog& log, const std::vector<Eigen::Index>& k
   out.begin = time(0);
   out.period = (time(kept.size() - 1) - time(0)) / static_cast<double>(count - 1);
   out.q.resize(count, n);
-  out.torque.resize(count, n);
+  out.torque.setZero(count, n);
   if (log.has_velocities()) out.qd.resize(count, n);
   std::size_t i = 0;
   for (Eigen::Index row = 0; row < count; ++row) {
@@ -94,7 +94,7 @@ UniformStretch resampled(const JointLog& log, const std::vector<Eigen::Index>& k
     };
     for (Eigen::Index j = 0; j < n; ++j) {
       out.q(row, j) = on_first || on_second ? linear(log.q, j) : cubic(log, kept, i, j, t);
-      out.torque(row, j) = linear(log.torque, j);
+      if (log.has_torques()) out.torque(row, j) = linear(log.torque, j);
       if (log.has_velocities()) out.qd(row, j) = linear(log.qd, j);
     }
   }
@@ -105,12 +105,13 @@ UniformStretch resampled(const JointLog& log, const std::vector<Eigen::Index>& k
 
 void check_joint_log(const RobotModel& model, const JointLog& log) {
   if (log.samples() < kFewestSamples) {
-    throw InputError(InputPlace{log.source, 0, "time"},
-                     {fmt::format("{} samples are too few to compare torques; log longer", log.samples()),
-                      fmt::to_string(log.samples()), fmt::format("at least {}", kFewestSamples)});
+    throw InputError(
+        InputPlace{log.source, 0, "time"},
+        {fmt::format("{} samples are too few to compare with the arm; log longer", log.samples()),
+         fmt::to_string(log.samples()), fmt::format("at least {}", kFewestSamples)});
   }
   check_channel(log, log.q, "position", model.n());
-  check_channel(log, log.torque, "torque", model.n());
+  if (log.has_torques()) check_channel(log, log.torque, "torque", model.n());
   if (log.has_velocities()) check_channel(log, log.qd, "velocity", model.n());
   for (std::size_t i = 0; i < log.time.size(); ++i) {
     const double step = i == 0 ? 0.0 : log.time[i] - log.time[i - 1];

@@ -1,6 +1,6 @@
 #pragma once
-// A log of one arm's joints as numbers: times, positions, measured torques and, if there are any, velocities.
-// It is what a validation reads, whatever file the numbers came from.
+// A log of one arm's joints as numbers: times, positions and, if there are any, velocities and measured
+// torques. It is what a validation reads, whatever file the numbers came from.
 
 #include <Eigen/Core>
 #include <string>
@@ -17,9 +17,10 @@ struct JointLog {
   std::vector<double> time;  ///< N, not decreasing [s]
   Eigen::MatrixXd q;         ///< N x n [rad, m]
   Eigen::MatrixXd qd;        ///< N x n [rad/s, m/s]; empty if no velocities were measured
-  Eigen::MatrixXd torque;    ///< N x n [N m, N]
+  Eigen::MatrixXd torque;    ///< N x n [N m, N]; empty if no torques were measured
 
   bool has_velocities() const { return qd.size() > 0; }
+  bool has_torques() const { return torque.size() > 0; }
   Eigen::Index samples() const { return static_cast<Eigen::Index>(time.size()); }
 };
 
@@ -48,7 +49,7 @@ std::vector<PositionJump> position_jumps(const RobotModel& model, const JointLog
 struct UniformStretch {
   double begin = 0.0;             ///< time of the first sample [s]
   double period = 0.0;            ///< time between samples [s]
-  Eigen::MatrixXd q, qd, torque;  ///< as in JointLog
+  Eigen::MatrixXd q, qd, torque;  ///< as in JointLog; torque is zero if none was measured
 };
 
 /// Divides a log at its gaps and jumps, and resamples each part at its mean rate: positions by cubic

@@ -111,14 +111,20 @@ std::string velocity_text(const LogFinding& finding, const RobotModel& model) {
 
 }  // namespace
 
-std::vector<LogFinding> log_findings(const RobotModel& model, const JointLog& log, const LoggedMotion& motion,
-                                     const TorqueRows& rows, const Misfit& misfit,
-                                     const ValidationThresholds& thresholds) {
+std::vector<LogFinding> motion_findings(const RobotModel& model, const JointLog& log,
+                                        const LoggedMotion& motion, const ValidationThresholds& thresholds) {
   std::vector<LogFinding> out = channel_findings(model, log, motion, thresholds);
   if (log.has_velocities()) {
     const std::vector<LogFinding> more = velocity_findings(motion, thresholds);
     out.insert(out.end(), more.begin(), more.end());
   }
+  return out;
+}
+
+std::vector<LogFinding> log_findings(const RobotModel& model, const JointLog& log, const LoggedMotion& motion,
+                                     const TorqueRows& rows, const Misfit& misfit,
+                                     const ValidationThresholds& thresholds) {
+  std::vector<LogFinding> out = motion_findings(model, log, motion, thresholds);
   // A position in degrees makes every torque wrong, so that signs and mounting cannot be judged.
   const bool wrong_unit = std::any_of(out.begin(), out.end(), [](const LogFinding& finding) {
     return finding.kind == LogFindingKind::kPositionUnit || finding.kind == LogFindingKind::kRate;

@@ -48,6 +48,11 @@ std::vector<LogFinding> log_findings(const RobotModel& model, const JointLog& lo
                                      const TorqueRows& rows, const Misfit& misfit,
                                      const ValidationThresholds& thresholds = {});
 
+/// Returns what is wrong with the positions and velocities of a log, whether it has torques or not.
+std::vector<LogFinding> motion_findings(const RobotModel& model, const JointLog& log,
+                                        const LoggedMotion& motion,
+                                        const ValidationThresholds& thresholds = {});
+
 /// Returns one sentence without a full stop: what is wrong, where, and what to do.
 std::string to_text(const LogFinding& finding, const RobotModel& model);
 

@@ -66,7 +66,9 @@ std::string joint_text(const RobotModel& model, int joint, const JointResidual& 
       fmt::format("{}: {:.{}f} % explained", model.joints[static_cast<std::size_t>(joint)].name, percent,
                   percent > 99.0 ? 1 : 0);
   for (const MisfitCause& cause : misfit.causes) {
-    if (cause.share[joint] >= least_share) text += "; " + to_text(cause, model);
+    // A cause in another joint can change this one's residual through those of the whole arm.
+    const bool own = cause.joint < 0 || cause.joint == joint;
+    if (own && cause.share[joint] >= least_share) text += "; " + to_text(cause, model);
   }
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "armtune/error.hpp"
 #include "tuner/validation/misfit_text.hpp"
 
 namespace armtune::internal {
@@ -12,6 +13,11 @@ bool TorqueValidation::model_matches() const {
 
 TorqueValidation validate_torques(const RobotModel& model, const JointLog& log,
                                   const ValidationThresholds& thresholds, double cutoff) {
+  if (!log.has_torques()) {
+    throw InputError(InputPlace{log.source, 0, "torque"},
+                     {"the log has no torques, which the model could be compared with; log them",
+                      "no torques", "a torque for each joint"});
+  }
   TorqueValidation found;
   found.thresholds = thresholds;
   const LoggedMotion motion = joint_motion(model, log, thresholds, cutoff);

@@ -25,7 +25,8 @@ struct TorqueValidation {
   bool model_matches() const;
 };
 
-/// Compares a log with the unfitted model. Throws InputError if the log is malformed or too short.
+/// Compares a log with the unfitted model. Throws InputError if the log is malformed or too short,
+/// and with the key `torque` if it has no torques.
 TorqueValidation validate_torques(const RobotModel& model, const JointLog& log,
                                   const ValidationThresholds& thresholds = {},
                                   double cutoff = kValidationCutoff);

@@ -2,9 +2,9 @@
 
 namespace armtune::internal {
 
-const std::array<ValidationThresholdField, 20>& validation_threshold_fields() {
+const std::array<ValidationThresholdField, 26>& validation_threshold_fields() {
   using T = ValidationThresholds;
-  static const std::array<ValidationThresholdField, 20> fields = {{
+  static const std::array<ValidationThresholdField, 26> fields = {{
       {"explained", "", "least share of a joint's torque variance that a matching model explains",
        &T::explained},
       {"negligible", "", "RMS residual that always matches, as a share of the effort limit", &T::negligible},
@@ -29,6 +29,16 @@ const std::array<ValidationThresholdField, 20>& validation_threshold_fields() {
       {"gap", "", "time between two samples that counts as a gap, in sampling periods", &T::gap},
       {"outside_limits", "", "position, as a multiple of its limit, that suggests degrees",
        &T::outside_limits},
+      {"torque_horizon", "s", "time ahead by which motions under torque commands are judged",
+       &T::torque_horizon},
+      {"torque_motion", "", "largest position error then, as a share of that without a model",
+       &T::torque_motion},
+      {"drive_horizon", "s", "time ahead by which motions under other commands are judged",
+       &T::drive_horizon},
+      {"drive_motion", "", "largest position error then, as a share of that without a model",
+       &T::drive_motion},
+      {"drift", "rad/s, m/s", "RMS position error per time ahead that always matches", &T::drift},
+      {"failed_windows", "", "largest share of simulated windows that diverge", &T::failed_windows},
   }};
   return fields;
 }

@@ -27,6 +27,12 @@ struct ValidationThresholds {
   double jump_size = 0.01;       ///< least jump of a position between two samples [rad, m]
   double gap = 5.0;              ///< time between two samples that counts as a gap, in sampling periods
   double outside_limits = 3.0;   ///< position, as a multiple of its limit, that suggests degrees
+  double torque_horizon = 0.1;   ///< time ahead by which motions under torque commands are judged [s]
+  double torque_motion = 0.5;    ///< RMS position error then, as a share of that without a model
+  double drive_horizon = 1.0;    ///< as torque_horizon, under commands that drives or a controller follow [s]
+  double drive_motion = 0.05;    ///< as torque_motion, at drive_horizon
+  double drift = 0.002;          ///< RMS position error per time ahead that always matches [rad/s, m/s]
+  double failed_windows = 0.05;  ///< share of the simulated windows that may diverge
 };
 
 /// One threshold: its name, unit, meaning and member.
@@ -38,6 +44,6 @@ struct ValidationThresholdField {
 };
 
 /// Returns every threshold, in the order of the structure.
-const std::array<ValidationThresholdField, 20>& validation_threshold_fields();
+const std::array<ValidationThresholdField, 26>& validation_threshold_fields();
 
 }  // namespace armtune::internal

@@ -34,8 +34,8 @@ std::string assumed_rotors_text(const RobotModel& robot) {
     most = std::max(most, ratio);
   }
   return fmt::format(
-      "the rotor inertia that {}'s robot file assumes: nobody measured it, and the estimate from the limits of "
-      "effort and velocity is {:.3g} to {:.3g} times as much",
+      "the rotor inertias in {}'s robot file are right (nobody measured them; estimates from effort and velocity "
+      "limits are {:.3g} to {:.3g} times as large)",
       robot.name, least, most);
 }
 
@@ -55,15 +55,28 @@ std::string rotors_text(const RobotModel& robot) {
   if (without.size() == static_cast<std::size_t>(robot.n())) {
     return fmt::format("{} has no rotor inertia, because its file gives none", robot.name);
   }
-  const bool marked = robot.rotor_source != RotorSource::kGiven;
+  const bool marked = robot.rotor_source != ValueSource::kGiven;
   const std::string given =
-      robot.rotor_source == RotorSource::kAssumed
+      robot.rotor_source == ValueSource::kAssumed
           ? assumed_rotors_text(robot)
           : fmt::format("the {}rotor inertia that {}'s robot file gives",
                         marked ? fmt::format("{} ", name(robot.rotor_source)) : "", robot.name);
   if (without.empty()) return given;
   return fmt::format("no rotor inertia for {} of {} (the robot file gives none), and for the other joints {}",
                      fmt::join(without, ", "), robot.name, given);
+}
+
+/// Returns the assumption about the friction that the robot's files give; empty if they give none.
+std::string friction_text(const RobotModel& robot) {
+  std::vector<std::string> given;
+  const auto add = [&given](const char* what, const JointVector& values, ValueSource source) {
+    if (values.isZero(0.0)) return;
+    given.push_back(source == ValueSource::kGiven ? what : fmt::format("{} {}", name(source), what));
+  };
+  add("viscous friction", robot.chain.viscous_friction, robot.viscous_source);
+  add("Coulomb friction", robot.chain.coulomb_friction, robot.coulomb_source);
+  if (given.empty()) return {};
+  return fmt::format("the {} that {}'s robot file gives", fmt::join(given, " and the "), robot.name);
 }
 
 /// Returns the longest step of the simulated arm [s]. With the drives of a robot, the steps may be shorter.
@@ -101,11 +114,12 @@ void add_contact_assumptions(const Scenario& scenario, SimulationVerdict& verdic
   const ClearanceModel& model = *scenario.clearance;
   const std::string& robot = scenario.robot->name;
   if (const auto drawn = drawn_links(model.arm()); !drawn.empty())
-    add_once(fmt::format("clearances rest on the drawn shapes of {} of {}, which have no collision shapes",
-                         fmt::join(drawn, ", "), robot),
+    add_once(fmt::format(
+                 "clearances are measured from the drawn shapes of {} of {}, which have no collision shapes",
+                 fmt::join(drawn, ", "), robot),
              verdict.assumes);
   if (!model.arm().unknown.empty())
-    add_once(fmt::format("nothing touches {} of {}, because the shapes there are missing or unreadable",
+    add_once(fmt::format("nothing touches {} of {}, whose shapes are missing or unreadable",
                          fmt::join(model.arm().unknown, ", "), robot),
              verdict.assumes);
   for (const std::string& pair : model.left_out_by_their_make())
@@ -137,7 +151,7 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
     if (gains.controller != kind) continue;
     const bool any_rate = own(gains, kind + "_torque_rate")[0] == 0.0;
     add_once(fmt::format("{0} as docs/{0}.md describes it: it runs at the scenarios' control period, and the "
-                         "torque that holds the arm follows from theta_start{1}",
+                         "torque that holds the arm is computed from theta_start{1}",
                          kind, any_rate ? "; the robot does not limit how fast torques change" : ""),
              verdict.assumes);
   }
@@ -166,8 +180,8 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
   }
   if (streams) {
     add_once(
-        fmt::format("the robot's servo as docs/position_streaming.md describes it, because manufacturers "
-                    "publish no equation, and {}",
+        fmt::format("the model of the robot's servo in docs/position_streaming.md (manufacturers publish "
+                    "none), and {}",
                     position_loops(scenarios, own(gains, "servo_position_gain")[0])),
         verdict.assumes);
     return;
@@ -189,6 +203,7 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
   for (const Scenario& scenario : scenarios) {
     const RobotModel& robot = *scenario.robot;
     add_once(rotors_text(robot), verdict.assumes);
+    if (const std::string given = friction_text(robot); !given.empty()) add_once(given, verdict.assumes);
     for (const std::string& doubt : examine ? doubts(robot) : std::vector<std::string>())
       add_once(fmt::format("{}'s robot file is correct, although it looks wrong: {}", robot.name, doubt),
                verdict.assumes);
@@ -200,11 +215,12 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
     const RobotModel plant = plant_model(scenario);
     const std::vector<std::string> stiff = stiff_joints(scenario, plant);
     if (!stiff.empty() && stepper != Stepper::kReference) {
-      add_once(fmt::format("in {}, friction stops {} within {:.3g} s, so velocity peaks may be higher on the "
-                           "real arm than simulated (--stepper reference resolves them, but is slow and may "
-                           "need a longer --rollout-deadline)",
-                           scenario.name, fmt::join(stiff, ", "), longest_step(scenario)),
-               verdict.assumes);
+      add_once(
+          fmt::format("in {}, friction stops {} within {:.3g} s, one step of the simulation, so velocity "
+                      "peaks may be higher on the real arm than simulated (--stepper reference resolves "
+                      "them, but is slow and may need a longer --rollout-deadline)",
+                      scenario.name, fmt::join(stiff, ", "), longest_step(scenario)),
+          verdict.assumes);
     }
     if (plant.chain.viscous_friction.isZero(0.0) && plant.chain.coulomb_friction.isZero(0.0)) {
       no_friction.push_back(scenario.name);

@@ -27,9 +27,9 @@ void add_engine_assumption(Engine engine, const std::string& which, SimulationVe
 void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
                                SimulationVerdict& verdict);
 
-/// The value of `which` in the check on random arms. If another engine simulates these arms, Simbody
-/// simulates again only those that break a limit. The results of the others are therefore not confirmed by
-/// Simbody.
+/// The argument `which` of add_engine_assumption for the check on random arms. If another engine simulates
+/// these arms, Simbody simulates again only those that break a limit. The results of the others are therefore
+/// not confirmed by Simbody.
 inline constexpr const char* kArmsThatKept = "the random arms that keep their limits";
 
 }  // namespace armtune::internal

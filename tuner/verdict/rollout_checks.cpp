@@ -151,16 +151,19 @@ void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVe
       unseen = std::max(unseen, scenario.clearance->most_unseen(scenario.control_period));
   }
   if (unseen > 0.0) {
-    add_once(
-        fmt::format("contact between two control periods (at the velocity limits, the arm's motion can bring "
-                    "bodies up to {:.2g} mm closer there)",
-                    1e3 * unseen),
-        verdict.not_checked);
+    add_once(fmt::format(
+                 "contact in the time between two control periods (at the velocity limits, the arm's motion "
+                 "can bring bodies up to {:.2g} mm closer in this time)",
+                 1e3 * unseen),
+             verdict.not_checked);
   }
-  if (const auto names = without(Clearance::kSelf); !names.empty()) {
-    const bool shapes = std::any_of(scenarios.begin(), scenarios.end(), has_unused_shapes);
-    add(shapes ? "self-collision (write 'cell: {}' in the scenario to check it)" : "self-collision", names);
+  std::vector<std::string> without_cell, without_shapes;
+  for (const Scenario& scenario : scenarios) {
+    if (scenario.clearance && scenario.clearance->has(Clearance::kSelf)) continue;
+    (has_unused_shapes(scenario) ? without_cell : without_shapes).push_back(scenario.name);
   }
+  add("self-collision (write 'cell: {}' in the scenario to check it)", without_cell);
+  add("self-collision (no shapes of links that could touch are known)", without_shapes);
   const auto no_floor = without(Clearance::kFloor);
   const auto no_parts = without(Clearance::kCell);
   if (no_floor == no_parts) return add("collisions with floor and table", no_floor);
@@ -177,7 +180,7 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
   for (const EnduranceResult& r : results) {
     if (!r.held() && r.shake) {
       verdict.notes.push_back(
-          fmt::format("in {}, extended, {}", named(r.scenario, set), to_string(*r.shake)));
+          fmt::format("in {}, when it is extended, {}", named(r.scenario, set), to_string(*r.shake)));
     }
     if (!r.held() && (limits.passed || (r.broken && r.broken->time < limits.time))) {
       limits.passed = false;

@@ -30,9 +30,10 @@ void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vecto
 void add_shake_notes(const std::vector<ScenarioResult>& results, const std::string& set,
                      SimulationVerdict& verdict);
 
-/// Adds contact between two control periods, with the most by which a distance can fall there, and the kinds
-/// of contact that cannot be detected in some of the scenarios, to the list of things not checked. In a
-/// scenario without a cell, these are contacts with the arm itself, with the cell and with the floor.
+/// Adds contacts that cannot be detected to the list of things not checked:
+/// - contact between two control periods, with the largest amount by which a distance can fall in between;
+/// - for each scenario, the kinds of contact that cannot be detected in it. Without a cell, these are
+///   contacts of the arm with itself, with the cell and with the floor.
 void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);
 
 /// If the rotor inertia is an estimate in any scenario, adds differences from the estimate to the list of

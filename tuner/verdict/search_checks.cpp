@@ -157,7 +157,7 @@ void add_bounds_note(const Study& study, const Gains& gains, SimulationVerdict& 
   if (names.empty()) return;
   verdict.notes.push_back(
       fmt::format("{} of {} gains lie on a bound of the study: {}. Wider bounds may be better, if the robot "
-                  "accepts them",
+                  "tolerates such gains",
                   names.size(), study.space.free.size(), fmt::join(names, ", ")));
 }
 
@@ -217,7 +217,8 @@ void add_nominal_checks(const std::vector<Scenario>& scenarios, const std::vecto
     check.threshold = smallest->nominal;
     check.unit = field(kind).unit;
     if (!check.passed)
-      check.detail = fmt::format("the closed loop fails without any change ({})", smallest->reason);
+      check.detail = fmt::format(
+          "the closed loop fails without any change of delay, gains, rate or noise ({})", smallest->reason);
     verdict.checks.push_back(std::move(check));
   }
 }

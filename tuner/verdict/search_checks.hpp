@@ -1,6 +1,6 @@
 #pragma once
-// Adds the checks of a search's result to a verdict: constraints, improvement over the start, gains on their
-// bounds, stability margins, and random arms.
+// Adds the checks of a search's result to a verdict: constraints, improvement over the start gains, gains on
+// their bounds, stability margins, and random arms.
 
 #include <atomic>
 #include <functional>
@@ -43,8 +43,8 @@ struct DeepCheckOptions {
 bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                        const std::atomic<bool>& stop, SimulationVerdict& verdict);
 
-/// Adds a check of each margin that is known in every scenario. It passes if every loop is stable without a
-/// change, and has the smallest margin of the scenarios as its value.
+/// Adds a check of each margin that is known in every scenario. The check passes if every loop is stable at
+/// the nominal value of the margin. The value of the check is the smallest margin over the scenarios.
 void add_nominal_checks(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,
                         SimulationVerdict& verdict);
 

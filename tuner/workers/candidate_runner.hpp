@@ -37,7 +37,7 @@ class CandidateRunner {
   double simulated() const { return pool_->simulated(); }
 
   /// A function that is called once per candidate, as soon as all its scenarios are done. The candidates come
-  /// in any order. The call is from any thread, one call at a time.
+  /// in any order. The function is called from any thread, one call at a time.
   using Finished = std::function<void(std::size_t candidate, const std::vector<RolloutResult>& results)>;
 
   /// Simulates all scenarios for every candidate. Returns results[candidate][scenario], in the order of the

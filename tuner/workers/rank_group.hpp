@@ -22,7 +22,7 @@ struct Peer {
   std::string host;
   std::uint64_t jobs = 0;  ///< number of jobs sent so far
   bool lost = false;       ///< true if it did not answer in time
-  bool told = false;       ///< true after the message to the user that rank 0 waits for this rank
+  bool told = false;       ///< true once the user was told that rank 0 waits for this rank
 };
 
 class RankGroup {
@@ -66,8 +66,8 @@ class RankGroup {
   int exit_code() const { return exit_code_; }
 
   /// Dismisses the other ranks, and sends them the exit code. Call it only in the process that leads, whether
-  /// or not the work succeeded. Returns false if a rank did not answer in time before. Throws FailedError if
-  /// a rank does not answer now. In both cases, call abort() afterwards.
+  /// or not the work succeeded. Returns false if a rank failed to answer in time earlier in the run. Throws
+  /// FailedError if a rank does not answer this call. In both cases, call abort() afterwards.
   bool end(int exit_code);
   /// Ends the processes of all ranks at once.
   void abort(int exit_code) { transport_->abort(exit_code); }

@@ -27,7 +27,7 @@ class RolloutPool {
   /// Runs the jobs that `job` returns for 0 to count - 1, started in this order. `finished` receives the
   /// number and the result of each job that was not interrupted, in any order. It is called from any thread,
   /// one call at a time. As soon as `stop` is true, no further job is started, and jobs under way are
-  /// interrupted. After a first exception no further job is started, and it is thrown again here.
+  /// interrupted. After a first exception no further job is started, and the exception is thrown again here.
   void run(std::size_t count, const std::function<RolloutJob(std::size_t)>& job,
            const std::atomic<bool>& stop, const std::function<void(std::size_t, RolloutResult&&)>& finished);
 

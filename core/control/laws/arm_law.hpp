@@ -60,7 +60,7 @@ struct LawNumbers {
   double adaptation_leakage = 0.0;  ///< [1/s]
   double inertia_leakage = 0.0;     ///< [1/s]
   double filter_share = 0.0;        ///< filter_share() of the adaptation's filter; 0: no filter
-  /// Null for kinds of controllers other than ROS's joint_trajectory_controller.
+  /// Null unless the controller is ROS's joint_trajectory_controller.
   const JtcNumbers* joint_trajectory = nullptr;
 };
 
@@ -84,8 +84,8 @@ class ArmLawT : protected LaneAccessT<T> {
   virtual void conclude(const LawPeriodT<T>& /*at*/, const MaskT<T>& /*learning*/) {}
   /// Returns the parameters of the law's present model of the arm (13 n).
   virtual ParameterVectorT<T>& theta() = 0;
-  /// Returns the motion of the last period's q', qr', qr'', from which the regressor Y follows; null if the
-  /// law has none.
+  /// Returns the motion of the bodies that belongs to q', qr' and qr'' of the last period. The regressor Y is
+  /// computed from it. Null if the law has no regressor.
   virtual const SlotineLiT<T>* references_motion() const { return nullptr; }
 };
 

@@ -18,8 +18,8 @@ struct LawStorage {
   JtcNumbers joint_trajectory;
 };
 
-/// Returns the start values of the law that such a setup describes. storage and the setup's gains and theta
-/// must outlive the result.
+/// Returns the start values of the law that `setup` describes. storage, and the gains and theta to which
+/// setup refers, must outlive the result.
 LawNumbers law_numbers(const LawSetup& setup, LawStorage& storage);
 
 /// Returns the drives that a law of this kind commands, or nothing if it commands torques.

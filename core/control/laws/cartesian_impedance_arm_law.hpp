@@ -107,7 +107,7 @@ class CartesianImpedanceArmLawT final : public ModelArmLawT<T> {
     }
   }
 
-  /// Returns J J^T + 0.04. Only the lower triangle is set.
+  /// Returns J J^T + 0.04 I. Only the lower triangle is set.
   typename Cholesky6T<T>::Matrix damped_square() const {
     typename Cholesky6T<T>::Matrix A;
     for (int row = 0; row < 6; ++row) {

@@ -32,15 +32,16 @@ void first_impedance(const RobotModel& robot, const JointVector& q, Gains& gains
 ControllerKind cartesian_impedance_controller() {
   constexpr auto kTask = GainShape::kTask;
   constexpr auto kScalar = GainShape::kScalar;
-  GainField filter = not_tuned(own_gain(kScalar, "cartesian_impedance_filter", "",
-                                        "share of the last filtered desired pose in the next; 0: the desired "
-                                        "pose is not filtered",
-                                        0.0));
+  GainField filter =
+      not_tuned(own_gain(kScalar, "cartesian_impedance_filter", "",
+                         "low-pass filter of the desired pose: weight of the previous filtered "
+                         "pose in the new one; 0: no filter",
+                         0.0));
   filter.below = 1.0;
   GainField damping =
       own_gain(kTask, "cartesian_impedance_damping", "N s/m, N m s",
-               "damping d of each axis of the task that does not follow from K; to give all damping as "
-               "numbers, set the ratio to 0",
+               "damping d of each axis of the task, in addition to 2 r sqrt(K); to set the damping by d "
+               "alone, set the damping ratio r to 0",
                0.0);
   damping.search = SearchRange::kNone;  // most controllers have none
   return {kCartesianImpedance,

@@ -9,9 +9,10 @@
 // Resolved-acceleration control of mechanical manipulators, 1980.)
 //
 // The law uses a = qr'' - J+ (D J S + J' S) - d (S - J+ J S), with S = q' - qr'. This a fulfils the equation
-// above, since J qr'' = xr'' - J' qr'. The term with d damps the joint motion that the task leaves free. If a
-// matrix E selects fewer task components, E s decays instead of s. If E turns with the tool, E' s is a part
-// of the derivative of E s (core/control/task_resolution.hpp). In states that track joints, a = qr'' - d S.
+// above, since J qr'' = xr'' - J' qr'. The last term, with the gain d, damps the joint motion that the task
+// leaves free. If a matrix E selects fewer task components, E s decays instead of s. If E turns with the
+// tool, E' s is a part of the derivative of E s (core/control/task_resolution.hpp). In states that track
+// joints, a = qr'' - d S.
 
 #include "core/control/laws/controller_kind.hpp"
 

@@ -13,14 +13,14 @@ namespace armtune::internal {
 class Controller {
  public:
   /// gains must be valid for the model (see validate). theta (13 n): parameters of the controller's model of
-  /// the arm at the start. period: control period [s]. timing: of the drives, if the law commands velocities
-  /// or positions.
+  /// the arm at the start. period: control period [s]. timing: rate and delay of the robot's drives, used if
+  /// the law commands velocities or positions.
   Controller(std::shared_ptr<const RobotModel> model, const Gains& gains, const ParameterVector& theta,
              double period, TaskMask mask = TaskMask::kPose, const DriveTiming& timing = {});
   Controller(const Controller&) = delete;  // the inverse refers to this object's Jacobian
   Controller& operator=(const Controller&) = delete;
 
-  /// Computes one control period. Allocates nothing. The returned reference is valid until the next call.
+  /// Computes one control period. Allocates nothing. The result is valid until the next call.
   const ControlOutput& update(const JointState& measured, const Scene& scene, double time);
 
   /// True if the law commands velocities or positions, which the robot's drives follow.
@@ -42,7 +42,8 @@ class Controller {
 
   // Results of the last period, for callers that need the same quantities of the arm.
   const MeasuredArm& arm() const { return arm_; }
-  /// Returns the motion of q', qr', qr'', from which the regressor Y follows; null if the law has none.
+  /// Returns the motion of the bodies that belongs to q', qr' and qr''. The regressor Y is computed from it.
+  /// Null if the law has no regressor.
   const SlotineLi* references_motion() const { return law_->references_motion(); }
 
  private:

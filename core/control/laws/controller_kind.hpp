@@ -53,9 +53,9 @@ GainField bounded(GainField gain);
 /// multiplied to find the gain margin.
 GainField not_tuned(GainField gain);
 
-/// Adds a kind. It must be called before anything is loaded. Throws InputError if the name of the kind or of
-/// a gain is taken or not allowed, if the kind has no law, if a gain's default or search factors are out of
-/// range, or if `uses` names a gain that does not belong to a law.
+/// Adds a kind. It must be called before any gains, scenario or study is loaded. Throws InputError if the
+/// name of the kind or of a gain is taken or not allowed, if the kind has no law, if a gain's default or
+/// search factors are out of range, or if `uses` names a gain that does not belong to a law.
 void register_controller(ControllerKind kind);
 
 /// Returns a kind by name. Throws InputError with the names of all kinds if there is none.
@@ -69,8 +69,8 @@ std::vector<const ControllerKind*> controller_kinds();
 const std::vector<GainField>& fields_of(const ControllerKind& kind);
 const std::vector<GainField>& fields_of(const Gains& gains);
 
-/// Multiplies the gain of the control loop by a factor. It changes the gains on which the loop depends as
-/// GainField::loop says.
+/// Multiplies the gain of the control loop by a factor. For this, each single gain is changed in the way that
+/// its GainField::loop states.
 void scale_loop_gains(Gains& gains, double factor);
 
 /// Returns the values of the kind's own gain of that name: 1, 6 or n. Throws InputError if it has none.
@@ -83,7 +83,8 @@ void change_controller(Gains& gains, const std::string& name, int n);
 
 /// Returns the gains converted for another kind. Gains that both kinds have are kept. The others get start
 /// values for the arm (first_gains.hpp, ControllerKind::start). If the new kind uses Ki and does not adapt
-/// its model, a smaller Ki is raised to kFirstIntegralShare Kp^2. q (n): joint positions on the task.
+/// its model, Ki is raised to kFirstIntegralShare * Kp^2 where it is smaller. q (n): joint positions on the
+/// task.
 Gains convert_gains(const ControllerKind& kind, const Gains& gains, const RobotModel& robot,
                     const JointVector& q);
 

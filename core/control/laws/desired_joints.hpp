@@ -1,7 +1,7 @@
 #pragma once
 // Computes the joint motion that a controller for joint trajectories tracks, as a template for one arm or
-// several at once (arm_law.hpp). With such a controller the arm can also perform tasks of the tool. The
-// references of these tasks are joint velocities, which are integrated to positions here.
+// several at once (arm_law.hpp). Such a controller can also perform tasks of the tool, such as following a
+// path. The references of these tasks are joint velocities, which are integrated to positions here.
 
 #include "core/control/laws/arm_law.hpp"
 

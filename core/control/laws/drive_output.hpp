@@ -16,8 +16,8 @@ class DriveOutput {
   /// period: of the drives [s].
   DriveOutput(const RobotModel& model, double period);
 
-  /// Sets the torques (n) [N m, N] that act before those of the first period arrive. The limit of the rate
-  /// acts from them on.
+  /// Sets the torques (n) [N m, N] that act until those of the first period arrive. The rate limit applies to
+  /// the change from these torques to those of the first period.
   void start(const JointVector& tau);
   /// Takes the torques (n) [N m, N] computed in this period of the drives and replaces them by those that act
   /// in it. If a delay is not a whole number of periods, the mean torque of the period acts. Allocates

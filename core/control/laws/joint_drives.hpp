@@ -15,7 +15,7 @@ namespace armtune::internal {
 /// Rate of the drives unless another one is given [Hz].
 inline constexpr double kDriveFrequency = 1000.0;
 /// Returns the lowest rate of the robot's drives [Hz]: the one of its file, else plant_rate, which a scenario
-/// gives, else kDriveFrequency. A rate of 0 is not given.
+/// gives, else kDriveFrequency. A rate of 0 means that none is given.
 inline double drive_frequency(const RobotModel& robot, double plant_rate) {
   if (robot.drive_rate > 0.0) return robot.drive_rate;
   return plant_rate > 0.0 ? plant_rate : kDriveFrequency;
@@ -43,10 +43,11 @@ class JointDrives {
  public:
   /// Drives that take velocities. period: control period [s].
   JointDrives(const RobotModel& model, double period, const DriveTiming& timing);
-  /// Drives that take positions. A servo makes a smooth motion q_s of them. The velocity drives follow
-  ///   q_s' + position_gain (q_s - q).
-  /// The first term is the mean over a period of the drives. position_gain [1/s]: of every joint, unless the
-  /// robot's file gives gains. Then these are multiplied by position_gain / kDrivePositionGain.
+  /// Drives that take positions. A servo turns the commanded positions into a smooth motion q_s. The velocity
+  /// drives follow
+  ///   q_s' + position_gain * (q_s - q).
+  /// The first term is the mean over a period of the drives. position_gain [1/s]: used for every joint if the
+  /// robot's file gives no gains. If it does, its gains are multiplied by position_gain / kDrivePositionGain.
   JointDrives(const RobotModel& model, double period, const DriveTiming& timing, const ServoGains& servo,
               double position_gain);
 
@@ -57,12 +58,12 @@ class JointDrives {
 
   /// Begins a control period with the controller's command (n), which reaches the drives after the delay.
   /// Until the first command arrives, the drives are commanded to stand still. measured: the joints at this
-  /// time. weight (n): torque that holds the arm, where needs_weight() is true. Allocates nothing.
+  /// time. weight (n): torque that holds the arm, used if needs_weight() is true. Allocates nothing.
   void begin(const JointVector& command, const JointState& measured, const JointVector& weight);
   /// Computes the torques tau (n) [N m, N] of the next period of the drives. Allocates nothing.
   void torque(const JointState& measured, JointVector& tau);
-  /// Sets what next() adds to the torques (n): the difference between `commanded`, the sum of the last result
-  /// of torque(), the repulsion of obstacles and the velocity barrier, and that result.
+  /// Sets the torques (n) that next() adds: the repulsion of obstacles and the torque of the velocity
+  /// barrier. commanded: the sum of these and of the last result of torque().
   void keep_added(const JointVector& commanded) { added_ = commanded - torque_; }
   /// Computes the torques (n) of the next period, with those that keep_added() set for the control period:
   /// before saturation, and within the effort limits. Allocates nothing.

@@ -1,8 +1,8 @@
 #pragma once
 // Joint impedance, as a template for one arm or several at once (arm_law.hpp). The torque is
-//   g(q) + k (qd - q) + D (velocity_factor qd' - v) + coriolis_factor C(q, q') q',
-// where v is the filtered joint velocity. Without g(q), its rate is limited. joint_impedance_law.hpp explains
-// the law and its symbols.
+//   g(q) + k (qd - q) + D (velocity_factor * qd' - v) + coriolis_factor * C(q, q') q',
+// where v is the filtered joint velocity. The rate of the torque without g(q) is limited.
+// joint_impedance_law.hpp explains the law and its symbols.
 
 #include <cmath>
 

@@ -9,8 +9,8 @@ ControllerKind joint_impedance_controller() {
   constexpr auto kJoints = GainShape::kJoints;
   constexpr auto kScalar = GainShape::kScalar;
   GainField filter = not_tuned(own_gain(kScalar, "joint_impedance_filter", "",
-                                        "share of the last filtered joint velocity in the next; 0: the "
-                                        "velocity is not filtered",
+                                        "low-pass filter of the joint velocity: weight of the previous "
+                                        "filtered velocity in the new one; 0: no filter",
                                         0.01));
   filter.below = 1.0;
   GainField ratio =

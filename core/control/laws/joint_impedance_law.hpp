@@ -8,9 +8,10 @@ namespace armtune::internal {
 
 inline constexpr const char* kJointImpedance = "joint_impedance";
 
-/// Makes the kind of controller with this name. A spring and a damper pull each joint to the desired motion:
-///   c = k (qd - q) + D (velocity_factor qd' - v) + coriolis_factor C(q, q') q',   v = f v_last + (1 - f) q',
-///   D = d + 2 r sqrt(k),   tau = g(q) + c,
+/// Makes the kind of controller `joint_impedance`. A spring and a damper pull each joint to the desired
+/// motion:
+///   c = k (qd - q) + D (velocity_factor * qd' - v) + coriolis_factor * C(q, q') q',
+///   D = d + 2 r sqrt(k),   v = f v_last + (1 - f) q',   tau = g(q) + c,
 /// where r is a damping ratio, and c is limited to change by at most torque_rate times the period from one
 /// period to the next. v and c start at 0, as on the robot. g(q) and C follow from the controller's model of
 /// the arm, without friction; robots with a torque interface add g(q) themselves. Source: franka_ros,

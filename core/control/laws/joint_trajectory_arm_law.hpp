@@ -1,8 +1,8 @@
 #pragma once
 // ROS's joint_trajectory_controller, as a template for one arm or several at once (arm_law.hpp). Its output
-// is the command of jtc_command.hpp: the velocities that the drives follow, or torques. If the robot itself
-// compensates gravity, the torque that holds the arm's weight is added to torques. joint_trajectory_law.hpp
-// explains the law.
+// is the command of jtc_command.hpp: the velocities that the drives follow, or torques. If the output is a
+// torque and the robot itself compensates gravity, the torque that holds the arm's weight is added to it.
+// joint_trajectory_law.hpp explains the law.
 
 #include "core/control/laws/jtc_command.hpp"
 #include "core/control/laws/model_arm_law.hpp"

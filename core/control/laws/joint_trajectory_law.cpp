@@ -98,12 +98,12 @@ std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*
                    "have an effect",
                    kNoClamp)),
       not_tuned(own_gain(kJoints, names[9], units[3],
-                         "size of u_clamp_min, which is negative: the smallest command, without the "
-                         "feed-forward",
+                         "absolute value of u_clamp_min, the negative lower bound of the command "
+                         "without the feed-forward",
                          kNoClamp)),
       not_tuned(own_gain(kJoints, names[10], units[3],
-                         "size of i_clamp_min, which is negative, if it differs from i_clamp; 0: the same as "
-                         "i_clamp",
+                         "absolute value of i_clamp_min, the negative lower bound of the integral's "
+                         "contribution; 0: the same as i_clamp",
                          0.0)),
       wraparound,
       distro};

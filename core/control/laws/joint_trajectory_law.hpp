@@ -24,26 +24,27 @@ JointVector& jtc_gain(Gains& gains, const std::string& what);
 
 /// Returns the distribution of ROS whose rules gains of such a kind follow.
 RosDistro jtc_distro(const Gains& gains);
-/// Returns the size of the lower bound of the integral's contribution for a joint.
+/// Returns the absolute value of the lower bound of the integral's contribution for a joint.
 double jtc_lower_i_clamp(const Gains& gains, Eigen::Index joint);
 
-/// Multiplies the integral gain of each joint with effort commands by i_clamp / effort limit, if that is
-/// below
-/// 1. With i = 1/s p, the integral then reaches its clamp in 1 s at the position error at which p alone gives
-/// the largest torque, whatever the clamp. A larger i only switches the integral between its clamps. Where
-/// ROS lets it grow beyond them, it also takes long to return. Leaves gains of other kinds unchanged.
+/// For the kind with effort commands, multiplies the integral gain i of each joint by i_clamp / effort limit
+/// where this is a reduction. A gain of i = p / (1 s) then has the same effect for every clamp: at the
+/// position error at which p alone gives the effort limit, the integral reaches its clamp in 1 s. A larger i
+/// would only switch the integral between its clamps. Where ROS lets the integral grow beyond them, it would
+/// also take long to return. Leaves gains of other kinds unchanged.
 void fit_integral_to_clamp(const RobotModel& model, Gains& gains);
 
-/// True if the feed-forward of these gains takes the desired velocity of the next period of a planned motion.
-/// False for gains of other kinds.
+/// True if the feed-forward with these gains uses the desired velocity of the next period of a planned
+/// motion, not that of the present one. False for gains of other kinds.
 bool feeds_next_velocity(const Gains& gains);
 
-/// Returns the numbers of the law with these gains, for gains of such a kind that are valid for the robot.
+/// Returns the numbers of the law with these gains. The gains must be of such a kind, and valid for the
+/// robot.
 JtcNumbers jtc_numbers(const RobotModel& model, const Gains& gains);
 
 /// Makes the kind with effort commands. Each joint has a PID on its error from the desired motion, and a
 /// feed-forward of the desired velocity:
-///   tau_i = p e_i + clamp(i int(e_i), +-i_clamp) + d e_i' + ff_velocity_scale qd_i'(t + period),
+///   tau_i = p e_i + clamp(i int(e_i), +-i_clamp) + d e_i' + ff_velocity_scale * qd_i'(t + period),
 ///   e = qd - q,   qd: desired positions.
 /// The law has no model of the arm and does not compensate its weight. A robot with compensates_gravity adds
 /// the torque for the weight itself. The equation is that of ROS 2 Jazzy. The gain jtc_distro selects the

@@ -1,7 +1,7 @@
 #pragma once
 // The command of ROS's joint_trajectory_controller (joint_trajectory_law.hpp), an effort or a velocity of
 // each joint, as a template for one arm or several at once (arm_law.hpp):
-//   c_i = ff_velocity_scale qd_i' + PID(e_i, e_i'),   e = qd - q,   qd: desired positions.
+//   c_i = ff_velocity_scale * qd_i' + PID(e_i, e_i'),   e = qd - q,   qd: desired positions.
 
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@ struct JtcNumbers {
   std::array<RosPidGains, kMaxJoints> pid{};
   std::array<double, kMaxJoints> feed_forward{};  ///< ff_velocity_scale
   std::array<bool, kMaxJoints> wraps{};  ///< true: the position error of the joint is wrapped to -pi .. pi
-  /// The command is an effort, to which the robot itself adds the torque that holds its weight.
+  /// True if the command is an effort to which the robot itself adds the torque that holds its weight.
   bool held_by_robot = false;
 };
 

@@ -9,9 +9,9 @@
 
 namespace armtune::internal {
 
-/// Base class that gives templates over T these functions. They are members, and not functions over masks,
-/// because the name of every function that is compiled for one kind of processor must contain its Pack<W>
-/// (scripts/check-lanes).
+/// Base class that gives templates over T these functions. They are members of a template, and not free
+/// functions, because the name of every function that is compiled for one kind of processor must contain its
+/// Pack<W> (scripts/check-lanes).
 template <typename T>
 class LaneAccessT {
  protected:

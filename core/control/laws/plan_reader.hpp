@@ -9,8 +9,8 @@ namespace armtune::internal {
 
 class PlanReader {
  public:
-  /// n: number of joints; period: control period [s]. The gains select the velocity for the feed-forward: the
-  /// one of this period, or for some controllers the one of the next (feeds_next_velocity).
+  /// n: number of joints; period: control period [s]. The gains determine the velocity for the feed-forward:
+  /// that of this period or, for some controllers, that of the next period (feeds_next_velocity).
   PlanReader(int n, const Gains& gains, double period);
 
   /// Returns the planned motion of the control period that begins at `time` [s]. It is not active in states

@@ -1,6 +1,6 @@
 #pragma once
-// The motion that a robot makes of streamed joint positions before its drives follow it. UR's servoj command
-// works like this: it smooths the stream by a gain and a look-ahead time.
+// Computes the smooth motion into which a robot turns streamed joint positions before its drives follow it.
+// UR's servoj command works like this: it smooths the stream by a gain and a look-ahead time.
 
 #include "core/robot/robot_model.hpp"
 
@@ -16,7 +16,7 @@ struct ServoGains {
 /// within the velocity limits. q_s + T q_s' is the position projected ahead with the present velocity, as the
 /// manual of servoj describes it (universal-robots.com, "ServoJ command", 2021). UR publishes no equation;
 /// this is the linear one that fits that description. Behind a q_c that moves at a constant velocity, q_s
-/// lags by T. Its damping ratio is T sqrt(g) / 2.
+/// lags by T. The equation has the damping ratio T sqrt(g) / 2.
 class PositionServo {
  public:
   /// period: time h between two calls of step() [s].

@@ -16,12 +16,12 @@ ControllerKind position_streaming_controller() {
   GainField position = positive(own_gain(
       kScalar, "servo_position_gain", "1/s",
       "gain of the robot's position loop, which commands its velocity drives; if the robot's file gives a "
-      "position_gain, that is multiplied by this value / 15",
+      "position_gain, the loop uses position_gain * (this value / 15) instead",
       kDrivePositionGain));
   position.search = SearchRange::kNone;  // the robot's own
   return {kPositionStreaming,
           "streamed joint positions: the robot's servo smooths them by a gain and a look-ahead time, as UR's "
-          "servoj, and its simulated position and velocity drives follow",
+          "servoj does, and its simulated position and velocity drives follow",
           {},
           {not_in_loop(positive(own_gain(kScalar, "servo_gain", "1/s^2",
                                          "gain on the difference between the streamed position and the "

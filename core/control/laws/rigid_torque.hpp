@@ -1,7 +1,7 @@
 #pragma once
 // Computes the gravity torque, and the Coriolis and centrifugal torque, from the controller's model of the
 // arm, without friction. Franka's robots add the gravity torque themselves, so that impedance controllers for
-// them add only the Coriolis and centrifugal torque. It is a template for one arm or several at once
+// them add only the Coriolis and centrifugal torque. The code is a template for one arm or several at once
 // (arm_law.hpp).
 
 #include "core/control/laws/arm_law.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // The distributions of ROS whose joint_trajectory_controller armtune simulates, and the rules in which they
-// differ. The numbers of the gain jtc_distro are the places in kRosRules. Sources, at these commits:
+// differ. The gain jtc_distro is the index of a distribution in kRosRules. Sources, at these commits:
 //   jazzy:  ros2_controllers ed360c9 (4.42.1), control_toolbox 05de3c6 (4.11.0);
 //   humble: ros2_controllers ad559d9 (2.54.0), control_toolbox 01a3ded (3.7.0);
 //   noetic: ros_controllers 678b92a (0.21.2), control_toolbox de05a5c (1.19.0).
@@ -31,7 +31,7 @@ struct RosRules {
   /// True: without a parameter there is no bound on the integral. False: the bound is then 0.
   bool unbounded_by_default;
   bool has_bounds_of_integral;  ///< has the parameters i_clamp_min and i_clamp_max beside i_clamp
-  /// Has the parameters u_clamp_max, u_clamp_min, antiwindup_strategy, tracking_time_constant and
+  /// True: there are the parameters u_clamp_max, u_clamp_min, antiwindup_strategy, tracking_time_constant and
   /// error_deadband.
   bool has_strategies;
 };

@@ -12,9 +12,9 @@ class ToolFilter {
   void start(double share);
   /// Sets the filtered pose to the measured one.
   void begin(const double* R_0T, const double* p_0T);
-  /// Moves the filtered pose towards the desired one, whose error dx (6) is pose_error
-  /// (CartesianErrors::pose). Then computes e (6) [m, 1] of the measured tool from the filtered pose. The
-  /// rotational part of e is sin(angle / 2) times the axis of the turn.
+  /// Moves the filtered pose towards the desired one. Then computes e (6) [m, 1], the error of the measured
+  /// pose from the filtered one. The rotational part of e is sin(angle / 2) times the axis of the turn.
+  /// pose_error (6): error dx of the measured pose from the desired one (CartesianErrors::pose).
   void follow(const double* R_0T, const double* p_0T, const double* pose_error, double* e);
 
  private:

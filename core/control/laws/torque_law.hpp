@@ -46,9 +46,9 @@ class TorqueLaw {
   /// Computes the torques (n) [N m, N]. The repulsion of obstacles, the velocity barrier and the effort
   /// limits are applied to them afterwards. Allocates nothing.
   virtual void torque(const LawInput& in, JointVector& tau) = 0;
-  /// Returns the drives of a robot that takes velocities or positions. torque() then begins a control period
-  /// of them, and returns the torques of their first period; the caller computes those of the other periods.
-  /// Null: the law commands torques.
+  /// Returns the drives of a robot that takes velocities or positions; null if the law commands torques. If
+  /// there are drives, torque() begins a control period of them and returns the torques of their first
+  /// period. The caller computes those of their other periods.
   virtual JointDrives* drives() { return nullptr; }
   /// Is called at the end of every period. learning: true if no joint was saturated and adaptation is wanted.
   virtual void conclude(bool /*learning*/) {}
@@ -57,8 +57,8 @@ class TorqueLaw {
   virtual const ParameterVector& theta() const { return theta_; }
   /// True if every torque contains -Kd S.
   virtual bool contains_Kd() const { return false; }
-  /// Returns the motion of the last period's q', qr', qr'', from which the regressor Y follows; null if the
-  /// law has none.
+  /// Returns the motion of the bodies that belongs to q', qr' and qr'' of the last period. The regressor Y is
+  /// computed from it. Null if the law has no regressor.
   virtual const SlotineLi* references_motion() const { return nullptr; }
 
  protected:

@@ -1,6 +1,6 @@
 #pragma once
-// Limits how fast commanded torques change, as the example controllers for Franka's arms do. It is a template
-// for one arm or several at once (arm_law.hpp).
+// Limits how fast commanded torques change, as the example controllers for Franka's arms do. The code is a
+// template for one arm or several at once (arm_law.hpp).
 
 #include "core/common/types.hpp"
 #include "core/control/laws/lane_access.hpp"

@@ -25,8 +25,8 @@ struct DriveGains {
 DriveGains drive_gains(const RobotModel& model);
 
 /// Returns the share of each joint's velocity error (n) that its drive removes in one of its periods [s] at q
-/// (n), with the other joints free. Above 1, the error changes its sign in every period. Near 2 the arm
-/// oscillates for ever, and beyond, the oscillation grows.
+/// (n), with the other joints free. If the share is above 1, the error changes its sign in every period. Near
+/// 2 the arm oscillates for ever, and above 2 the oscillation grows.
 JointVector drive_step(const RobotModel& model, const JointVector& q, double period);
 
 class VelocityDrives {

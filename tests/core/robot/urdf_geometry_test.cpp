@@ -105,6 +105,34 @@ TEST_F(UrdfGeometry, Ur10PosesEqualTheProductOfItsTransforms) {
   expect_same_poses(read_urdf(kUr10, on_ee_link), joints, q);
 }
 
+// A link that is fixed to another one has a frame of its own in the same body.
+TEST_F(UrdfGeometry, EveryLinkHasItsFrameInTheBodyThatMovesIt) {
+  const std::string turns = "<origin xyz='0 0 1'/><axis xyz='0 1 0'/>" + kLimit;
+  const RobotModel arm = read(robot(one_joint(kInertial, turns) + link("c") + link("d", "") +
+                                    joint("to_c", "fixed", "b", "c", "<origin xyz='1 2 3' rpy='0 0 0.5'/>") +
+                                    joint("to_d", "fixed", "a", "d", "<origin xyz='0 0 4'/>")));
+  JointVector q(1);
+  q << 0.7;
+  Poses poses;
+  forward_kinematics(arm.chain, q, poses);
+  const Transform X_b = UrdfJoint{"revolute", {0, 0, 1}, {0, 0, 0}, Vec3::UnitY()}.at(q[0]);
+  const Transform X_c = X_b * UrdfJoint{"fixed", {1, 2, 3}, {0, 0, 0.5}, Vec3::Zero()}.at(0.0);
+  const std::vector<std::pair<std::string, Transform>> expected = {
+      {"a", Transform::Identity()},
+      {"b", X_b},
+      {"c", X_c},
+      {"d", transform(Mat3::Identity(), Vec3(0.0, 0.0, 4.0))}};
+  ASSERT_EQ(arm.links.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    const LinkFrame& frame = arm.links[k];
+    EXPECT_EQ(frame.name, expected[k].first);
+    const Transform X_BL = transform(frame.R_BL, frame.p_BL);
+    const Transform X_0B =
+        frame.body < 0 ? Transform::Identity().eval() : transform(poses.R_0B.at(0), poses.p_0B.at(0));
+    EXPECT_LT((X_0B * X_BL - expected[k].second).norm(), 1e-12) << frame.name;
+  }
+}
+
 // As a UR's calibrated description has them: origins and angles of the arm's make, a little beside the
 // nominal ones, and a shoulder that is far off along its axis, which the elbow takes back.
 TEST_F(UrdfGeometry, ACalibratedArmsPosesEqualTheProductOfItsTransforms) {

@@ -43,6 +43,16 @@ InputError input_error(Action&& action) {
   return InputError("nothing was refused");
 }
 
+/// Returns the known name that the message suggests in place of a misspelt one, or an empty text.
+inline std::string suggested_by(const InputError& error) {
+  const std::string_view message = error.what();
+  constexpr std::string_view kBegin = " (did you mean '";
+  const std::size_t at = message.find(kBegin);
+  if (at == std::string_view::npos) return {};
+  const std::string_view rest = message.substr(at + kBegin.size());
+  return std::string(rest.substr(0, rest.find("'?)")));
+}
+
 /// The fields that refused_at() compares. Each takes a value or a matcher; one that is left out is not
 /// compared.
 struct RefusedFields {
@@ -51,6 +61,7 @@ struct RefusedFields {
   testing::Matcher<std::string> key = testing::_;
   testing::Matcher<std::string> value = testing::_;
   testing::Matcher<std::string> limit = testing::_;
+  testing::Matcher<std::string> suggestion = testing::_;  ///< see suggested_by()
 };
 
 /// Matches an InputError, or a function that throws one, by the fields of the error.
@@ -82,6 +93,7 @@ class RefusedAt {
     add("a key", fields_.key);
     add("a value", fields_.value);
     add("a limit", fields_.limit);
+    add("a suggestion", fields_.suggestion);
   }
 
   bool matches(const InputError& error, std::ostream* explanation) const {
@@ -93,7 +105,7 @@ class RefusedAt {
     return error.what() != std::string_view("nothing was refused") &&
            fields_.file.Matches(error.place().file) && fields_.line.Matches(error.place().line) &&
            fields_.key.Matches(error.place().key) && fields_.value.Matches(error.value()) &&
-           fields_.limit.Matches(error.limit());
+           fields_.limit.Matches(error.limit()) && fields_.suggestion.Matches(suggested_by(error));
   }
 
   RefusedFields fields_;

@@ -50,6 +50,12 @@ export async function checkDrawn({ page, data, expect }) {
     const plots = await plotted(page, `#${id} .plot`);
     expect(plots.length === 1 && plots[0].strong > 20, `the plot of '${id}' shows marks`);
   }
+  if (data.validation !== undefined) {
+    const plots = await plotted(page, "#validation .plot");
+    const joints = data.validation.torques.length + data.validation.motion.length;
+    expect(plots.length === joints, `${joints} plots of the validation`);
+    for (const { title, strong } of plots) expect(strong > 20, `the validation of '${title}' shows lines (${strong} px)`);
+  }
   const cards = data.tables.length + (data.judged?.tables.length ?? 0);
   expect((await page.locator("#numbers .card").count()) === cards, `${cards} tables`);
   const drawings = await page.evaluate(() =>
@@ -64,6 +70,7 @@ export async function checkDrawn({ page, data, expect }) {
     ["robustness", "robustness"],
     ["margins", "margins"],
     ["plan", "plan"],
+    ["validation", "validation"],
     ["yardstick", "yardstick"],
     ["provenance", "provenance"],
   ]) {

@@ -54,6 +54,8 @@ function withMarkup(data) {
   }
   for (const point of changed.front?.points ?? []) point.label += IMAGE;
   for (const one of changed.robustness?.worst ?? []) one.text += SCRIPT;
+  for (const one of [...(changed.validation?.torques ?? []), ...(changed.validation?.motion ?? [])]) one.joint += IMAGE;
+  if (changed.validation !== undefined) changed.validation.commands += SCRIPT;
   changed.provenance.command += CLOSING;
   changed.provenance.entries.push([SCRIPT, IMAGE]);
   return changed;

@@ -5,41 +5,24 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
-#include "core/control/laws/valid_gains.hpp"
 #include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/joint_trajectory_file.hpp"
-#include "sim/controller_files/parameter_file.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/sim/support/trajectory_file.hpp"
 #include "tests/sim/support/without_numbers.hpp"
 
 namespace armtune::internal {
 namespace controller_file_test {
 
+using test::refused;
 using test::refused_at;
-using testing::AllOf;
+using test::with_j1;
 using testing::HasSubstr;
-
-const std::vector<std::string> kJoints = {"j1", "j2", "j3"};
-
-/// The error with which a text is refused.
-InputError refused(const std::string& text, const std::vector<std::string>& joints = kJoints) {
-  return test::input_error([&] {
-    joint_trajectory_gains(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml", joints);
-  });
-}
-
-/// A ROS 2 file with these gains of j1.
-std::string with_j1(const std::string& gains, const std::string& commands = "effort") {
-  return fmt::format(
-      "c:\n  ros__parameters:\n    joints: [j1]\n    command_interfaces: [{}]\n    gains:\n      j1: {{{}}}\n",
-      commands, gains);
-}
 
 TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
   const std::vector<std::string> j1 = {"j1"};
@@ -160,54 +143,6 @@ TEST(ControllerFile, BoundsOfTheIntegralMayDiffer) {
               HasSubstr("i_clamp_max: 3.0, i_clamp_min: -1.5"));
 }
 
-/// The gains of j1 in a text, by the rules of a distribution if one is given.
-Gains under(const std::string& text, std::optional<RosDistro> distro) {
-  ParameterFile file{"f.yaml", text, chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml")};
-  if (distro) set_distro(file, *distro);
-  return joint_trajectory_gains(file.controller, "f.yaml", {"j1"});
-}
-
-TEST(ControllerFile, IsReadByTheRulesOfItsDistribution) {
-  const std::string ros1 =
-      "c:\n  type: effort_controllers/JointTrajectoryController\n  gains: {j1: {p: 1.0, antiwindup: true}}\n";
-  EXPECT_EQ(jtc_distro(under(with_j1("p: 1.0"), {})), RosDistro::kJazzy);
-  EXPECT_EQ(jtc_distro(under(ros1, {})), RosDistro::kNoetic);
-  const std::string text = with_j1(
-      "p: 1.0, i: 2.0, i_clamp: 4.0, i_clamp_max: 5.0, i_clamp_min: -3.0, u_clamp_max: 7.0, "
-      "antiwindup_strategy: none, error_deadband: 0.1, normalize_error: true");
-  const Gains humble = under(text, RosDistro::kHumble);
-  EXPECT_EQ(jtc_distro(humble), RosDistro::kHumble);
-  EXPECT_EQ(own(humble, "jtc_antiwindup")[0], 0.0) << "the contribution alone is clamped";
-  EXPECT_EQ(own(humble, "jtc_i_clamp")[0], 4.0) << "Humble has no i_clamp_max";
-  EXPECT_EQ(jtc_lower_i_clamp(humble, 0), 4.0);
-  EXPECT_EQ(own(humble, "jtc_u_clamp_max")[0], 1e6);
-  EXPECT_EQ(own(humble, "jtc_error_deadband")[0], 0.0);
-  EXPECT_EQ(own(humble, "jtc_angle_wraparound")[0], 1.0);
-  const Gains jazzy = under(text, RosDistro::kJazzy);
-  EXPECT_EQ(jazzy.own, under(text, {}).own);
-  EXPECT_EQ(own(jazzy, "jtc_i_clamp")[0], 5.0);
-  EXPECT_EQ(own(jazzy, "jtc_angle_wraparound")[0], 0.0) << "Jazzy has no normalize_error";
-  EXPECT_EQ(
-      own(under(with_j1("p: 1.0, angle_wraparound: true"), RosDistro::kHumble), "jtc_angle_wraparound")[0],
-      1.0);
-}
-
-TEST(ControllerFile, AMissingClampIsWhatTheDistributionMakesOfIt) {
-  const std::string text = with_j1("p: 1.0, i: 2.0");
-  EXPECT_EQ(own(under(text, RosDistro::kJazzy), "jtc_i_clamp")[0], 1e6);
-  EXPECT_THAT([&] { under(text, RosDistro::kHumble); },
-              refused_at({.file = "f.yaml", .line = 6, .limit = "i_clamp"}));
-  EXPECT_THAT(refused(text, {"j1"}), refused_at({.line = 6, .limit = "i_clamp or --distro"}));
-}
-
-TEST(ControllerFile, ADistributionOfTheOtherRosIsRefused) {
-  EXPECT_THAT(test::refusal([] { under(with_j1("p: 1.0"), RosDistro::kNoetic); }),
-              AllOf(HasSubstr("f.yaml"), HasSubstr("ROS 1 Noetic")));
-  const std::string ros1 =
-      "c:\n  type: effort_controllers/JointTrajectoryController\n  gains: {j1: {p: 1.0}}\n";
-  EXPECT_THAT(test::refusal([&] { under(ros1, RosDistro::kHumble); }), HasSubstr("ROS 2 Humble"));
-}
-
 // Node names may come several times, as in Franka's fr3_ros_controllers.yaml, which ROS 2 reads.
 TEST(ControllerFile, TheSameNodeNameMayComeSeveralTimes) {
   const std::string text =
@@ -285,44 +220,6 @@ TEST(ControllerFile, WithVelocityCommandsIsAKindOfItsOwn) {
     change_controller(gains, "joint_trajectory_controller", 1);
     EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, j1); }),
                 HasSubstr("c is a joint_trajectory_controller_velocity"));
-  }
-}
-
-// What a file cannot hold is refused, not lost.
-TEST(ControllerFile, TheChangedFileReadsBackAsTheGains) {
-  const std::vector<std::string> j1 = {"j1"};
-  const auto into = [&j1](const std::string& text, const char* gain, double value) {
-    const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
-    Gains gains = joint_trajectory_gains(controller, "f.yaml", j1);
-    own(gains, gain)[0] = value;
-    return with_gains(text, controller, "f.yaml", gains, j1);
-  };
-  EXPECT_THAT(into(with_j1("p: 1.0, i: 1.0, i_clamp: 2.0"), "jtc_i_clamp", 3.0), HasSubstr("i_clamp: 3.0"));
-  EXPECT_THAT(into(with_j1("p: 1.0, i_clamp: 9.0, i_clamp_max: 2.0, i_clamp_min: -2.0"), "jtc_i_clamp", 3.0),
-              HasSubstr("i_clamp: 3.0, i_clamp_max: 3.0, i_clamp_min: -3.0"));
-  EXPECT_THAT(into(with_j1("p: 1.0, ff_velocity_scale: 2.0"), "jtc_ff_velocity_scale", 4.0),
-              HasSubstr("ff_velocity_scale: 4.0"));
-  EXPECT_THAT(test::refusal([&] { into(with_j1("p: 1.0, i: 0.0"), "jtc_i", 3.0); }), HasSubstr("no i_clamp"));
-  EXPECT_THAT(test::refusal([&] { into(with_j1("p: 1.0"), "jtc_antiwindup", 0.0); }),
-              AllOf(HasSubstr("jtc_antiwindup must become 0.0"), HasSubstr("would still give 1.0")));
-  // A number, a joint or all gains that somebody else has by an alias.
-  const std::string left =
-      "left:\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: &g {j1: {p: 1.0}}\n";
-  const std::string two =
-      left + "right:\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: *g\n";
-  for (
-      const std::string& text :
-      {with_j1("p: &x 1.0, tracking_time_constant: *x"),
-       std::string(
-           "left: &l\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: {j1: {p: 1.0}}\nright: *l\n")}) {
-    EXPECT_THAT(test::refusal([&] { into(text, "jtc_p", 3.0); }), HasSubstr("an alias elsewhere")) << text;
-  }
-  for (const char* name : {"left", "right"}) {
-    const RosController one = chosen_controller(ros_controllers(two, "f.yaml"), "f.yaml", name);
-    Gains gains = joint_trajectory_gains(one, "f.yaml", j1);
-    own(gains, "jtc_p")[0] = 3.0;
-    EXPECT_THAT(test::refusal([&] { with_gains(two, one, "f.yaml", gains, j1); }),
-                HasSubstr("an alias elsewhere"));
   }
 }
 

@@ -10,13 +10,15 @@
 
 #include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
-#include "sim/scenario/perturbation.hpp"
 #include "tests/sim/support/lanes.hpp"
 #include "tests/sim/support/law_jobs.hpp"
 
 namespace armtune::internal {
 namespace drive_lanes_test {
 
+using test::add_hopeless_job;
+using test::add_jobs_with;
+using test::add_perturbed_jobs;
 using test::alone;
 using test::bits;
 using test::expect_different_and_the_same;
@@ -25,15 +27,7 @@ using test::gains_of;
 using test::job_of;
 using test::scenario_of;
 using test::with_plan;
-
-/// The scenario with a robot that `change` has changed.
-template <typename Change>
-Scenario with_robot(Scenario scenario, const Change& change) {
-  RobotModel robot = *scenario.robot;
-  change(robot);
-  scenario.robot = std::make_shared<const RobotModel>(robot);
-  return scenario;
-}
+using test::with_robot;
 
 /// Both kinds of controllers that command drives.
 class DriveLanesOf : public testing::TestWithParam<const char*> {
@@ -86,13 +80,8 @@ TEST_P(DriveLanesOf, NoiseDelayDisturbancesAndEarlyEndsAreEachArmsOwn) {
     noisy.plant.position_noise = 0.0;
     jobs.push_back(job(noisy));
   }
-  for (int sample = 0; sample < 3; ++sample) {
-    const Scenario disturbed = perturbed(scenario, Perturbation{}, 11, static_cast<std::uint64_t>(sample));
-    jobs.push_back(job(disturbed));
-  }
-  jobs.push_back(jobs[0]);
-  jobs.back().limits = {{Metric::kJointVelocityMaxRatio, 0.05}};
-  ASSERT_EQ(alone(jobs.back()).status, RolloutStatus::kHopeless);
+  add_perturbed_jobs(scenario, jobs);
+  add_hopeless_job(jobs);
   expect_different_and_the_same(jobs);
 }
 
@@ -160,12 +149,7 @@ TEST(DriveLanes, EachArmHasItsServoAndPositionLoops) {
   const Scenario scenario = with_plan(scenario_of("moving_target", 2.0));
   const LaneJob first = job_of(scenario, gains_of(scenario, "position_streaming"));
   std::vector<LaneJob> jobs = {first};
-  for (const auto& [name, value] :
-       {std::pair{"servo_gain", 900.0}, {"servo_lookahead_time", 0.04}, {"servo_position_gain", 25.0}}) {
-    LaneJob other = first;
-    own(other.gains, name).setConstant(value);
-    jobs.push_back(other);
-  }
+  add_jobs_with({{"servo_gain", 900.0}, {"servo_lookahead_time", 0.04}, {"servo_position_gain", 25.0}}, jobs);
   jobs.push_back(job_of(
       with_robot(scenario,
                  [](RobotModel& robot) { robot.drive_position_gain = JointVector::LinSpaced(6, 5.0, 30.0); }),

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/control/laws/controller_kind.hpp"
-#include "sim/scenario/perturbation.hpp"
 #include "tests/core/support/allocation_counter.hpp"
 #include "tests/sim/support/lanes.hpp"
 #include "tests/sim/support/law_jobs.hpp"
@@ -18,6 +17,9 @@
 namespace armtune::internal {
 namespace law_lanes_test {
 
+using test::add_hopeless_job;
+using test::add_jobs_with;
+using test::add_perturbed_jobs;
 using test::alone;
 using test::bits;
 using test::expect_different_and_the_same;
@@ -27,6 +29,7 @@ using test::job_of;
 using test::quick_gains;
 using test::scenario_of;
 using test::with_plan;
+using test::with_robot;
 
 /// Multiplies the gains of the control loop. The servo is what a stream of positions can change in its loop.
 void multiply_loop_gains(Gains& gains, double factor) {
@@ -90,10 +93,8 @@ INSTANTIATE_TEST_SUITE_P(Laws, LawLanesOf,
 
 // A robot that holds its own weight, so that clamps below the weight do not let the arm fall.
 TEST(LawLanes, AJointTrajectoryControllerClampsEachArmsIntegralAndOutput) {
-  Scenario scenario = with_plan(scenario_of("moving_target", 4.0));
-  RobotModel robot = *scenario.robot;
-  robot.compensates_gravity = true;
-  scenario.robot = std::make_shared<const RobotModel>(robot);
+  Scenario scenario = with_robot(with_plan(scenario_of("moving_target", 4.0)),
+                                 [](RobotModel& robot) { robot.compensates_gravity = true; });
   scenario.plant.payload.mass = 4.0;  // kg: what the integrals work against
   std::vector<LaneJob> jobs;
   for (int anti_windup = 0; anti_windup < 5; ++anti_windup) {
@@ -119,27 +120,18 @@ TEST(LawLanes, AJointTrajectoryControllerClampsEachArmsIntegralAndOutput) {
   other = jobs[3];
   own(other.gains, "jtc_error_deadband").setConstant(0.01);
   jobs.push_back(other);
-  other = jobs[0];
-  other.limits = {{Metric::kJointVelocityMaxRatio, 0.05}};
-  ASSERT_EQ(alone(other).status, RolloutStatus::kHopeless);
-  jobs.push_back(other);
-  for (int sample = 0; sample < 3; ++sample) {
-    const Scenario disturbed = perturbed(scenario, Perturbation{}, 11, static_cast<std::uint64_t>(sample));
-    jobs.push_back(job_of(disturbed, jobs[static_cast<std::size_t>(sample)].gains));
-  }
+  add_hopeless_job(jobs);
+  add_perturbed_jobs(scenario, jobs);
   // Its neighbours' weights are held, its own is not.
-  robot.compensates_gravity = false;
-  scenario.robot = std::make_shared<const RobotModel>(robot);
+  scenario = with_robot(scenario, [](RobotModel& robot) { robot.compensates_gravity = false; });
   jobs.push_back(job_of(scenario, jobs[0].gains));
   expect_different_and_the_same(jobs);
 }
 
 // The last joint begins a turn away from its plan. It stays there if the error is wrapped.
 TEST(LawLanes, AJointTrajectoryControllerWrapsEachArmsErrorAsItsDistributionSays) {
-  Scenario scenario = with_plan(scenario_of("moving_target", 2.0));
-  RobotModel robot = *scenario.robot;
-  robot.joints.back().limits.has_position = false;
-  scenario.robot = std::make_shared<const RobotModel>(robot);
+  Scenario scenario = with_robot(with_plan(scenario_of("moving_target", 2.0)),
+                                 [](RobotModel& robot) { robot.joints.back().limits.has_position = false; });
   const Scenario near = scenario;
   scenario.start_position.tail(1).array() += 2.0 * M_PI;
   std::vector<LaneJob> jobs;
@@ -167,15 +159,12 @@ TEST(LawLanes, AJointImpedanceHasItsFactorsFilterAndRateInEachArm) {
   const LaneJob first = job_of(scenario, gains_of(scenario, "joint_impedance"));
   ASSERT_EQ(alone(first).status, RolloutStatus::kCompleted);
   std::vector<LaneJob> jobs = {first};
-  for (const auto& [name, value] : {std::pair{"joint_impedance_velocity_factor", 0.0},
-                                    {"joint_impedance_coriolis_factor", 0.0},
-                                    {"joint_impedance_filter", 0.9},
-                                    {"joint_impedance_torque_rate", 300.0},
-                                    {"joint_impedance_damping_ratio", 0.5}}) {
-    LaneJob other = first;
-    own(other.gains, name).setConstant(value);
-    jobs.push_back(other);
-  }
+  add_jobs_with({{"joint_impedance_velocity_factor", 0.0},
+                 {"joint_impedance_coriolis_factor", 0.0},
+                 {"joint_impedance_filter", 0.9},
+                 {"joint_impedance_torque_rate", 300.0},
+                 {"joint_impedance_damping_ratio", 0.5}},
+                jobs);
   expect_different_and_the_same(jobs);
 }
 
@@ -185,18 +174,16 @@ TEST(LawLanes, ACartesianImpedanceFiltersEachArmsToolFromWhereItBegins) {
   Scenario scenario = scenario_of("panda_realistic_moving_target", 6.0);
   scenario.theta = {};
   scenario.theta.model_scale = 1.0;
-  LaneJob first = job_of(scenario, gains_of(scenario, "cartesian_impedance"));
+  const LaneJob first = job_of(scenario, gains_of(scenario, "cartesian_impedance"));
   std::vector<LaneJob> jobs = {first};
-  for (const auto& [name, value] : {std::pair{"cartesian_impedance_damping_ratio", 0.7},
-                                    {"cartesian_impedance_damping", 4.0},
-                                    {"cartesian_impedance_nullspace_k", 0.0},
-                                    {"cartesian_impedance_filter", 0.95},
-                                    {"cartesian_impedance_torque_rate", 200.0}}) {
-    LaneJob other = first;
-    other.gains.joint_trajectory_duration += 0.2 * static_cast<double>(jobs.size());
-    own(other.gains, name).setConstant(value);
-    jobs.push_back(other);
-  }
+  add_jobs_with({{"cartesian_impedance_damping_ratio", 0.7},
+                 {"cartesian_impedance_damping", 4.0},
+                 {"cartesian_impedance_nullspace_k", 0.0},
+                 {"cartesian_impedance_filter", 0.95},
+                 {"cartesian_impedance_torque_rate", 200.0}},
+                jobs);
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    jobs[i].gains.joint_trajectory_duration += 0.2 * static_cast<double>(i);
   EXPECT_NE(alone(first).status, RolloutStatus::kDiverged) << "not only a fall";
   expect_different_and_the_same(jobs);
 }

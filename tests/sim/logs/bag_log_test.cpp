@@ -132,6 +132,20 @@ TEST(BagLog, ShiftsSimulatedTimeToTheRecording) {
   EXPECT_EQ(summary.notes.size(), 1U);
 }
 
+// A stamp of 0 is none, but simulations begin at 0.
+TEST(BagLog, TimesThatBeginAtZeroAreKept) {
+  MemoryBag of_simulation;
+  of_simulation.add_topic("/joint_states", "sensor_msgs/msg/JointState");
+  for (const std::int64_t stamp : {0, 10'000'000, 20'000'000})
+    of_simulation.add(0, stamp, joint_state(stamp, 1.0));
+  const Log log = read(of_simulation);
+  EXPECT_EQ(log.start, 0.0);
+  EXPECT_THAT(log.topics.at(0).time, ElementsAre(0.0, 0.01, 0.02));
+  MemoryBag recorded = joint_bag({0, 10, 20}, 0);  // by a recorder with another clock
+  EXPECT_THAT(read(recorded).topics.at(0).time,
+              ElementsAre(0.0, testing::DoubleNear(0.01, 1e-9), testing::DoubleNear(0.02, 1e-9)));
+}
+
 TEST(BagLog, CountsTopicsThatItCannotDecode) {
   MemoryBag bag = joint_bag({0, 10});
   const std::size_t other = bag.add_topic("/other", "nobody_msgs/msg/Unknown");

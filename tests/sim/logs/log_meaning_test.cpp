@@ -159,6 +159,7 @@ TEST(Words, OfKnownRecordersAreRecognised) {
            Case{"state.tau_J[0]", Quantity::kTorque},
            Case{"control.tau_J_d[0]", Quantity::kTorque, Role::kCommand},
            Case{"state.dtau_J[0]", Quantity::kOther},
+           Case{"joint/elbow/velocity_ratio", Quantity::kOther},
            Case{"q1", Quantity::kPosition},
            Case{"dq1", Quantity::kVelocity},
            Case{"tau1", Quantity::kTorque},

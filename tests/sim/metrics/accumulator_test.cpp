@@ -233,6 +233,27 @@ TEST_F(Accumulated, AccelerationsAndJerksAreDifferencesOfTheVelocities) {
   EXPECT_TRUE(std::isnan(result()[Metric::kJointAccelerationMaxRatio])) << "no joint has a limit";
 }
 
+TEST_F(Accumulated, AConstantAccelerationIsWithoutJerk) {
+  for (int k = 0; k < 5; ++k) {
+    p_.qd[1] = 0.1 * k;
+    add();
+  }
+  // Ten times the rounding error of a velocity, twice divided by the period.
+  EXPECT_NEAR(result()[Metric::kJointJerkMax], 0.0, 10.0 * 0.4 * 2.3e-16 / (kPeriod * kPeriod));
+}
+
+TEST_F(Accumulated, AJointWithAnEffortLimitOfZeroCountsOnlyUnderTorque) {
+  RobotModel weak = model_;
+  weak.joints[2].limits.effort = 0.0;
+  MetricAccumulator metrics(weak, kThreshold, kPeriod);
+  p_.control.commanded[4] = 0.5 * model_.joints[4].limits.effort;
+  metrics.add(p_.o);
+  EXPECT_DOUBLE_EQ(metrics.so_far(Metric::kJointEffortMaxRatio), 0.5);
+  p_.control.commanded[2] = 1.0;
+  metrics.add(p_.o);
+  EXPECT_TRUE(std::isnan(metrics.so_far(Metric::kJointEffortMaxRatio)));
+}
+
 TEST_F(Accumulated, SaturatedPeriodsAreCountedInEveryStateAndOnlyGrow) {
   double counted = 0.0;
   for (const bool saturated : {true, false, true, true, false}) {

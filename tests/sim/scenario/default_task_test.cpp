@@ -287,7 +287,7 @@ TEST(DefaultTask, ARobotsNameMayLookLikeYaml) {
   const DefaultTask task = default_task(std::make_shared<const RobotModel>(named));
   const test::TemporaryFolder folder;
   const Scenario back = load_scenario(folder.write("task.yaml", default_task_yaml(task, "ur10")));
-  EXPECT_NE(back.description.find("where arm: v2 #1 moves well"), std::string::npos) << back.description;
+  EXPECT_NE(back.description.find("that arm: v2 #1 follows far"), std::string::npos) << back.description;
 }
 
 TEST(DefaultTask, AnArmOfThreeJointsHoldsItsPositionOnly) {

@@ -53,4 +53,12 @@ inline Csv read_csv(const std::string& path) {
   return Csv(read_text(path));
 }
 
+/// The text of a CSV file without its last column, which holds the wall time in files of a search.
+inline std::string without_time(const std::string& path) {
+  std::string text;
+  std::istringstream lines(read_text(path));
+  for (std::string line; std::getline(lines, line);) text += line.substr(0, line.rfind(',')) + '\n';
+  return text;
+}
+
 }  // namespace armtune::internal::test

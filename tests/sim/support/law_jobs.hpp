@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/control/laws/controller_kind.hpp"
+#include "sim/scenario/perturbation.hpp"
 #include "tests/sim/support/lanes.hpp"
 
 namespace armtune::internal::test {
@@ -48,6 +50,38 @@ inline Scenario with_plan(Scenario scenario) {
   scenario.theta = {};
   scenario.theta.model_scale = 1.0;
   return scenario;
+}
+
+/// The scenario with a robot that `change` has changed.
+template <typename Change>
+Scenario with_robot(Scenario scenario, const Change& change) {
+  RobotModel robot = *scenario.robot;
+  change(robot);
+  scenario.robot = std::make_shared<const RobotModel>(robot);
+  return scenario;
+}
+
+/// Adds the first job once for each of these gains of its controller, with this value in all joints.
+inline void add_jobs_with(const std::vector<std::pair<const char*, double>>& gains,
+                          std::vector<LaneJob>& jobs) {
+  for (const auto& [name, value] : gains) {
+    LaneJob other = jobs.front();
+    own(other.gains, name).setConstant(value);
+    jobs.push_back(other);
+  }
+}
+
+/// Adds the first job with a limit on which its rollout ends early.
+inline void add_hopeless_job(std::vector<LaneJob>& jobs) {
+  jobs.push_back(jobs.front());
+  jobs.back().limits = {{Metric::kJointVelocityMaxRatio, 0.05}};
+  ASSERT_EQ(alone(jobs.back()).status, RolloutStatus::kHopeless);
+}
+
+/// Adds jobs of three random arms, with the gains of the first three.
+inline void add_perturbed_jobs(const Scenario& scenario, std::vector<LaneJob>& jobs) {
+  for (std::size_t sample = 0; sample < 3; ++sample)
+    jobs.push_back(job_of(perturbed(scenario, Perturbation{}, 11, sample), jobs[sample].gains));
 }
 
 /// Every rollout must differ from every other one, so that each of their settings has an effect.

@@ -148,7 +148,7 @@ TEST(ParseLimits, AcceptsTheGreatestDepthAndRefusesOneMore) {
 TEST(ParseLimits, AcceptsTheMostItemsAndRefusesOneMore) {
   EXPECT_EQ(parse_error(repeat("- 1\n", kMaxItems - 1)), "no error");  // and the list itself
   EXPECT_EQ(parse_error(repeat("- 1\n", kMaxItems)),
-            "in.yaml:200000: the file has more than 200000 values, which is the largest number that is read");
+            "in.yaml:200000: the file has more than 200000 values, which is the most that armtune reads");
 }
 
 TEST(ParseLimits, RefusesATextThatIsTooLarge) {

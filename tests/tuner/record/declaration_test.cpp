@@ -20,7 +20,7 @@
 namespace armtune::internal::record {
 namespace declaration_test {
 
-using testing::AllOf;
+using test::refused_at;
 using testing::HasSubstr;
 
 enum class Fruit { kApple, kPear };
@@ -112,8 +112,8 @@ std::string with(std::string text, const std::string& part, const std::string& b
   return text.replace(at, part.size(), by);
 }
 
-std::string refusal(const std::string& json) {
-  return test::refusal([&json] { read_back(json); });
+InputError refusal(const std::string& json) {
+  return test::input_error([&json] { read_back(json); });
 }
 
 /// Names of an interface's members, those that may be absent with their question mark.
@@ -191,17 +191,19 @@ TEST(Declaration, AFileOfAnOlderVersionLacksALaterMember) {
 TEST(Declaration, WhatIsWrongIsNamedWithItsFileAndKey) {
   const std::string json = json_of(whole());
   EXPECT_THAT(refusal(with(json, "\"plain\":true,", "")),
-              AllOf(HasSubstr("file.json:1"), HasSubstr("'plain'")));
-  EXPECT_THAT(refusal(with(json, "\"plain\"", "\"plane\":1,\"plain\"")), HasSubstr("'plane'"));
+              refused_at({.file = "file.json", .line = 1, .limit = "the key 'plain'"}));
+  EXPECT_THAT(refusal(with(json, "\"plain\"", "\"plane\":1,\"plain\"")),
+              refused_at({.key = "plane", .suggestion = "plain"}));
   EXPECT_THAT(refusal(with(json, "\"count\":12", "\"count\":-12")),
-              AllOf(HasSubstr("count"), HasSubstr("-12")));
-  EXPECT_THAT(refusal(with(json, "\"number\":1", "\"number\":true")), HasSubstr("inner/0/number"));
+              refused_at({.key = "count", .value = "-12"}));
+  EXPECT_THAT(refusal(with(json, "\"number\":1", "\"number\":true")),
+              refused_at({.key = "inner/0/number", .value = "true"}));
   EXPECT_THAT(refusal(with(json, "\"pear\"", "\"plum\"")),
-              AllOf(HasSubstr("plum"), HasSubstr("apple"), HasSubstr("pear")));
+              refused_at({.key = "fruit", .value = "plum", .limit = "one of: apple, pear"}));
   EXPECT_THAT(refusal(with(json, "\"slides\":\"slides\"", "\"slides\":\"rolls\"")),
-              AllOf(HasSubstr("rolls"), HasSubstr("turns")));
+              refused_at({.key = "slides", .value = "rolls", .limit = "one of: turns, slides"}));
   EXPECT_THAT(refusal(with(json, "\"side\":\"right\"", "\"side\":\"up\"")),
-              AllOf(HasSubstr("'side'"), HasSubstr("up"), HasSubstr("left")));
+              refused_at({.key = "side", .value = "up", .limit = "one of: left, right"}));
 }
 
 }  // namespace declaration_test

@@ -122,9 +122,8 @@ TEST(RunReport, LeavesOutWhatTheFolderDoesNotHold) {
 
 TEST(RunReport, KnowsARunByItsFilesAndRefusesWhatIsNone) {
   const TemporaryFolder folder;
-  EXPECT_THAT(test::refusal([&] { kind_of(folder.path()); }),
-              testing::AllOf(HasSubstr(folder.path()), HasSubstr("errors.csv")));
-  EXPECT_THAT(test::refusal([&] { kind_of(folder / "missing"); }), HasSubstr("no such folder"));
+  EXPECT_THAT([&] { kind_of(folder.path()); }, test::refused_at({.file = folder.path()}));
+  EXPECT_THAT([&] { kind_of(folder / "missing"); }, test::refused_at({.file = folder / "missing"}));
   folder.write("errors.csv", "");
   EXPECT_EQ(kind_of(folder.path()), RunKind::kSimulate);
   folder.write("evaluations.csv", "");

@@ -31,6 +31,8 @@ TEST(RecordEntries, ShowTheFactsOfTheRecordByTheirPaths) {
       {"plan/phases/hold/duration", "0.04"},
       {"identification/torque/elbow/rms", "3"},
       {"identification/accepted_although/1", "the sign is wrong"},
+      {"validation/joints/elbow/explained", "0.97"},
+      {"validation/thresholds/explained/value", "0.9"},
       {"versions/eigen/version", "3.4.0"},
       {"machine/hardware_threads", "2"},
       {"inputs/b/c.yaml/hash", "fnv1a-5"},

@@ -17,7 +17,6 @@ namespace armtune::internal::report {
 namespace scene_test {
 
 using test::TemporaryFolder;
-using testing::HasSubstr;
 
 /// A binary STL of these corners, nine numbers a triangle; `claimed`: how many triangles its header says it
 /// has.
@@ -137,25 +136,25 @@ TEST(Scene, PathsThroughKnotsReadBackAndAreDrawnWhole) {
   }
   std::string text = scene_json(scene);
   text.replace(text.find("\"loops\":true"), 12, "\"loops\":7");
-  EXPECT_THAT(test::refusal([&] { read_scene(folder.write("scene.json", text)); }), HasSubstr("scene.json"));
+  EXPECT_THAT([&] { read_scene(folder.write("scene.json", text)); },
+              test::refused_at({.file = folder / "scene.json"}));
 }
 
 TEST(Scene, NamesWhatIsWrongInAFile) {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& text) {
-    return test::refusal([&] { read_scene(folder.write("scene.json", text)); });
+    return test::input_error([&] { read_scene(folder.write("scene.json", text)); });
   };
   EXPECT_THAT(refusal("{\"sets\": [], \"scenarios\": []}"),
-              testing::AllOf(HasSubstr("scene.json:1"), HasSubstr("robots")));
+              test::refused_at({.file = folder / "scene.json", .line = 1, .limit = "the key 'robots'"}));
   std::string text = scene_json(test::recorded().scene);
   text.replace(text.find("\"robot\":0"), 9, "\"robot\":7");
-  EXPECT_THAT(refusal(text), HasSubstr("no such robot"));
+  EXPECT_THAT(refusal(text), test::refused_at({.key = "scenarios/0/robot", .value = "7"}));
   for (const char* folder_elsewhere : {"../secret", "/etc", "start/../.."}) {
     text = scene_json(test::recorded().scene);
     const auto at = text.find("\"folder\":\"") + 10;
     text.replace(at, text.find('"', at) - at, folder_elsewhere);
-    EXPECT_THAT(refusal(text),
-                testing::AllOf(HasSubstr(folder_elsewhere), HasSubstr("outside the run's folder")));
+    EXPECT_THAT(refusal(text), test::refused_at({.key = "sets/0/folder", .value = folder_elsewhere}));
   }
 }
 

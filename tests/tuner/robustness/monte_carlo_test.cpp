@@ -249,7 +249,7 @@ TEST(Limits, WhatIsNoneIsRefused) {
   EXPECT_THAT(misspelt, refused_at({.key = "limit",
                                     .value = "joint_velocity/max_rato",
                                     .limit = HasSubstr("joint_velocity/max_ratio")}));
-  EXPECT_THAT(misspelt.what(), HasSubstr("did you mean 'joint_velocity/max_ratio'"));
+  EXPECT_EQ(test::suggested_by(misspelt), "joint_velocity/max_ratio");
   EXPECT_THAT([] { parse_limit("gaze/rms<=much"); },
               refused_at({.key = "limit", .value = "much", .limit = "a finite number"}));
 }

@@ -19,6 +19,7 @@ namespace armtune::internal {
 namespace run_folder_test {
 
 namespace fs = std::filesystem;
+using test::refused_at;
 using testing::HasSubstr;
 
 TEST(RunFolder, IsMadeWithItsParentsAndBelongsToOneRunAtATime) {
@@ -26,9 +27,9 @@ TEST(RunFolder, IsMadeWithItsParentsAndBelongsToOneRunAtATime) {
   const std::string path = folder / "runs/first";
   std::optional<FolderLock> lock = make_run_folder(path);
   EXPECT_TRUE(fs::is_directory(path));
-  EXPECT_THAT(
-      test::refusal([&] { (void)make_run_folder(path); }),
-      testing::AllOf(HasSubstr(path), HasSubstr("another run is about to write into"), HasSubstr("--out")));
+  const InputError second = test::input_error([&] { (void)make_run_folder(path); });
+  EXPECT_THAT(second, refused_at({.file = path}));
+  EXPECT_THAT(second.what(), HasSubstr("another run is about to write into"));
   lock.reset();
   const FolderLock next = make_run_folder(path);  // the first has left nothing
   EXPECT_EQ(std::distance(fs::directory_iterator(path), {}), 0) << "a lock is no file";
@@ -38,7 +39,7 @@ TEST(RunFolder, ALockThatIsMovedIsHeldOnce) {
   const test::TemporaryFolder folder;
   FolderLock lock;
   lock = make_run_folder(folder / "run");
-  EXPECT_THAT(test::refusal([&] { (void)make_run_folder(folder / "run"); }), HasSubstr("another run"));
+  EXPECT_THAT([&] { (void)make_run_folder(folder / "run"); }, refused_at({.file = folder / "run"}));
   lock = FolderLock();
   EXPECT_NO_THROW((void)make_run_folder(folder / "run"));
 }
@@ -50,7 +51,7 @@ TEST(RunFolder, NoNameIsNoFolder) {
 TEST(RunFolder, WhatAnotherRunHasLeftIsRefused) {
   const test::TemporaryFolder folder;
   folder.write("kept.txt", "precious\n");
-  EXPECT_THAT(test::refusal([&] { (void)make_run_folder(folder.path()); }), HasSubstr("not empty"));
+  EXPECT_THAT([&] { (void)make_run_folder(folder.path()); }, refused_at({.file = folder.path()}));
   EXPECT_EQ(test::read_text(folder / "kept.txt"), "precious\n");
 }
 
@@ -59,7 +60,7 @@ TEST(RunFolder, APathThatLeavesNoRoomForFilesOrNoNameIsRefused) {
   std::string deep = folder.path();
   while (deep.size() < 3900) deep += "/" + std::string(200, 'd');
   for (const std::string& path : {deep, folder / "a\x1b[31m", folder / "caf\xE9"}) {
-    EXPECT_THAT(test::refusal([&] { (void)make_run_folder(path); }), HasSubstr(folder.path()));
+    EXPECT_THAT([&] { (void)make_run_folder(path); }, refused_at({.file = path}));
     EXPECT_FALSE(fs::exists(path));
   }
 }

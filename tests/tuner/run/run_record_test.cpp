@@ -49,6 +49,7 @@ TEST(RunRecord, WithoutAnyOptionalMemberItReadsBackAsItWas) {
   parts.margins.emplace();
   parts.plan.emplace();
   parts.identification.emplace();
+  parts.validation.emplace();
   parts.excitation.emplace();
   parts.yardstick.emplace();
   EXPECT_EQ(read_back(parts), parts);
@@ -69,6 +70,7 @@ TEST(RunRecord, EachOptionalPartMayBeTheOnlyOneThatIsMissing) {
   without(&RunRecord::margins);
   without(&RunRecord::plan);
   without(&RunRecord::identification);
+  without(&RunRecord::validation);
   without(&RunRecord::excitation);
   without(&RunRecord::yardstick);
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/common/input_file.hpp"
@@ -139,6 +140,26 @@ TEST(SimulateSession, WithAndWithoutAFolderTheRolloutsAreTheSame) {
   EXPECT_EQ(bare.ending, kept.ending);
   EXPECT_TRUE(bare.files.empty());
   expect_files(settings.folder, kept.files);
+}
+
+TEST(SimulateSession, AndCompareSessionWriteAnMcapFileBesideEachRecordingIfAsked) {
+  const ShortStudy files;
+  const Study study = load_study(files.path());
+  SessionObserver silent;
+  RolloutSettings settings;
+  settings.scenarios = {study.scenarios.front()};
+  const std::string name = "/rollout_" + settings.scenarios.front().name + ".mcap";
+  std::vector<std::string> named;
+  for (const bool mcap : {false, true}) {
+    settings.mcap = mcap;
+    settings.folder = files / (mcap ? "with" : "without");
+    named = SimulateSession(settings, as_named("start", study), {kNever}, silent).run().files;
+    EXPECT_EQ(fs::exists(settings.folder + name), mcap);
+    EXPECT_EQ(std::count(named.begin(), named.end(), "rollout_<scenario>.mcap"), mcap ? 1 : 0);
+  }
+  settings.folder = files / "sets";
+  CompareSession(settings, {as_named("a", study)}, {kNever}, silent).run();
+  EXPECT_TRUE(test::read_text(files / "with" + name) == test::read_text(files / "sets/rollouts_a" + name));
 }
 
 TEST(SimulateSession, SaysWhatSimbodyDidNotSimulate) {

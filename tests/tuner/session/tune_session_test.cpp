@@ -83,7 +83,9 @@ TEST(TuneSession, ItWritesWhatItNamesAndPrintsNothing) {
   const Study study = load_study(files.path());
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const TuneOutcome outcome = run(study, settings_in(files / "run"));
+  TuneSettings settings = settings_in(files / "run");
+  settings.mcap = true;
+  const TuneOutcome outcome = run(study, settings);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_THAT(outcome.files, testing::IsSupersetOf({"gains.yaml", "errors.csv", "evaluations.csv", "run.json",
@@ -92,6 +94,9 @@ TEST(TuneSession, ItWritesWhatItNamesAndPrintsNothing) {
     EXPECT_TRUE(file.find('<') != std::string::npos || fs::is_regular_file(files / ("run/" + file))) << file;
   }
   EXPECT_TRUE(fs::is_regular_file(files / "run/rollout_short.csv"));
+  EXPECT_THAT(outcome.files, testing::Contains("rollout_<scenario>.mcap"));
+  EXPECT_TRUE(fs::is_regular_file(files / "run/rollout_short.mcap"));
+  EXPECT_TRUE(fs::is_regular_file(files / "run/start/rollout_short.mcap"));
   EXPECT_EQ(load_gains(files / "run/gains.yaml", joint_names(*study.scenarios.front().robot))
                 .slerpDurationErrorGain,
             outcome.result.best.gains.slerpDurationErrorGain);

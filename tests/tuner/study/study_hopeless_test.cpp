@@ -35,7 +35,7 @@ TEST(StudyFile, ReadsAndWritesFromWhereOnAConstraintIsHopeless) {
   };
   expect_same_ends(study);
   const std::string text = study_yaml(study, "gains.yaml");
-  EXPECT_THAT(text, AllOf(HasSubstr("hopeless from -0.1 on"), HasSubstr("twice the start")));
+  EXPECT_THAT(text, AllOf(HasSubstr("abandoned from -0.1 on"), HasSubstr("twice the start")));
   const Study again = load_study(files.write("again.yaml", text));
   expect_same_ends(again);
   EXPECT_EQ(study_yaml(again, "gains.yaml"), text);

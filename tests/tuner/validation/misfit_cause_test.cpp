@@ -120,6 +120,9 @@ TEST(MisfitText, NamesJointValueAndUnit) {
   EXPECT_THAT(text, AllOf(HasSubstr(model.joints[5].name), HasSubstr("61"), HasSubstr("1.2 N m")));
   EXPECT_THAT(joint_text(model, 5, residual, {{cause}, JointVector::Zero(6)}, 0.6),
               testing::Not(HasSubstr("1.2")));
+  EXPECT_THAT(joint_text(model, 4, residual, {{cause}, JointVector::Zero(6)}, 0.05),
+              testing::Not(HasSubstr("1.2")))
+      << "the cause belongs to another joint";
   for (const CauseKind kind : {CauseKind::kOffset, CauseKind::kViscousFriction, CauseKind::kRotorInertia,
                                CauseKind::kTorqueScale, CauseKind::kPayload, CauseKind::kGravityDirection}) {
     cause.kind = kind;

@@ -30,7 +30,7 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
     return to_text(verdict);
   };
   RobotModel robot = *scenario.robot;
-  robot.rotor_source = RotorSource::kGiven;
+  robot.rotor_source = ValueSource::kGiven;
   scenario.robot = std::make_shared<const RobotModel>(robot);
   EXPECT_THAT(assumed(),
               AllOf(HasSubstr("the rotor inertia that ur10's robot file gives"), Not(HasSubstr("stops"))));
@@ -68,7 +68,7 @@ TEST(Assumptions, SayWhereTheRotorInertiaComesFromAndHowFarAnAssumedOneIsFromThe
   Scenario scenario = test::scenario_of("fixed_target");
   RobotModel robot = *scenario.robot;
   estimate_rotors(robot);
-  const auto assumed = [&](RotorSource source) {
+  const auto assumed = [&](ValueSource source) {
     robot.rotor_source = source;
     scenario.robot = std::make_shared<const RobotModel>(robot);
     SimulationVerdict verdict;
@@ -80,15 +80,38 @@ TEST(Assumptions, SayWhereTheRotorInertiaComesFromAndHowFarAnAssumedOneIsFromThe
   estimate_rotors(ruled);
   robot.chain.rotor_inertia = 0.5 * ruled.chain.rotor_inertia;
   robot.chain.rotor_inertia[0] = 0.125 * ruled.chain.rotor_inertia[0];
-  EXPECT_THAT(assumed(RotorSource::kAssumed),
-              Contains(AllOf(HasSubstr("nobody measured it"), HasSubstr("2 to 8 times as much"))));
+  EXPECT_THAT(assumed(ValueSource::kAssumed),
+              Contains(AllOf(HasSubstr("nobody measured"), HasSubstr("2 to 8 times as large"))));
   robot.chain.rotor_inertia[5] = 0.0;
-  EXPECT_THAT(assumed(RotorSource::kAssumed),
+  EXPECT_THAT(assumed(ValueSource::kAssumed),
               Contains(AllOf(HasSubstr("no rotor inertia for wrist_3_joint"), HasSubstr("2 to 8 times"))));
   robot.chain.rotor_inertia[5] = 0.1;
-  for (const RotorSource source : {RotorSource::kMeasured, RotorSource::kPublished})
+  for (const ValueSource source : {ValueSource::kMeasured, ValueSource::kPublished})
     EXPECT_THAT(assumed(source), AllOf(Contains(HasSubstr(name(source) + std::string(" rotor inertia"))),
                                        Not(Contains(HasSubstr("nobody")))));
+}
+
+TEST(Assumptions, SayWhereTheJointFrictionOfTheRobotFileComesFrom) {
+  Scenario scenario = test::scenario_of("fixed_target");
+  RobotModel robot = *scenario.robot;
+  const auto assumed = [&] {
+    scenario.robot = std::make_shared<const RobotModel>(robot);
+    SimulationVerdict verdict;
+    add_assumptions({scenario}, Stepper::kMidpoint, verdict);
+    return verdict.assumes;
+  };
+  EXPECT_THAT(assumed(),
+              AllOf(Contains(HasSubstr("no joint friction")), Not(Contains(HasSubstr("Coulomb")))));
+  robot.chain.coulomb_friction.setConstant(0.1);
+  EXPECT_THAT(assumed(), Contains("the Coulomb friction that ur10's robot file gives"));
+  robot.coulomb_source = ValueSource::kEstimated;
+  robot.chain.viscous_friction[2] = 0.1;
+  for (const ValueSource source : {ValueSource::kMeasured, ValueSource::kPublished, ValueSource::kAssumed}) {
+    robot.viscous_source = source;
+    EXPECT_THAT(assumed(), AllOf(Contains(AllOf(HasSubstr(name(source) + std::string(" viscous friction")),
+                                                HasSubstr("estimated Coulomb friction"), HasSubstr("ur10"))),
+                                 Not(Contains(HasSubstr("no joint friction")))));
+  }
 }
 
 TEST(Assumptions, NameTheLinksWithDrawnShapesOnly) {

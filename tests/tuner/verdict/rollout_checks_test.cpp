@@ -97,6 +97,17 @@ TEST(RolloutChecks, SayHowToCheckTheArmAgainstItselfIfItHasShapes) {
   EXPECT_THAT(not_checked(), AllOf(Contains(HasSubstr("self-collision")), Not(says_how)));
   scenario.clearance = std::make_shared<const ClearanceModel>(load_robot("ur10"), Cell{});
   EXPECT_THAT(not_checked(), Not(Contains(HasSubstr("self-collision"))));
+  // A cell does not help an arm without shapes. Each scenario is named with its own reason.
+  Scenario without_shapes = load_scenario("fixed_target");
+  without_shapes.robot = std::make_shared<const RobotModel>(bare);
+  without_shapes.clearance = std::make_shared<const ClearanceModel>(without_shapes.robot, Cell{});
+  SimulationVerdict verdict;
+  add_unchecked_contacts({load_scenario("moving_target"), without_shapes}, verdict);
+  EXPECT_THAT(verdict.not_checked,
+              AllOf(Contains(AllOf(HasSubstr("self-collision"), HasSubstr("cell: {}"),
+                                   HasSubstr("moving_target"), Not(HasSubstr("fixed_target")))),
+                    Contains(AllOf(HasSubstr("self-collision"), HasSubstr("shapes"),
+                                   HasSubstr("fixed_target"), Not(HasSubstr("moving_target"))))));
 }
 
 TEST(RolloutChecks, LookAtAccelerationsOnlyIfTheArmLimitsThem) {

@@ -12,8 +12,8 @@ namespace armtune::internal::cli {
 const std::vector<std::string>& shell_names();
 
 /// Returns the completion script for a shell. It completes commands and options. It also completes the values
-/// of options and positional arguments: to the allowed words if only these are valid, otherwise to bundled
-/// names and paths of files. Throws InputError for a shell that is not in shell_names().
+/// of options and positional arguments. It offers the allowed words if only these are valid, otherwise
+/// bundled names and paths of files. Throws InputError for a shell that is not in shell_names().
 std::string completion(const DeclaredProgram& program, const std::string& shell);
 
 }  // namespace armtune::internal::cli

@@ -38,8 +38,7 @@ struct DeclaredProgram {
 
 DeclaredProgram declared(const CLI::App& app, const std::string& name);
 
-/// Returns the value that an option has if it is not given, as a value or in words; empty if none is
-/// declared.
+/// Returns the default of an option, as a value or in words; empty if no default is declared.
 std::string default_of(const CLI::Option& option);
 
 /// Returns the folder of bundled data, such as "studies", if the value of the option can be the name of a

@@ -211,6 +211,10 @@ const std::vector<ShortHelp>& short_helps() {
        {{"Logs", {"--columns", "--cutoff", "--torque-delay"}},
         {"Fit", {"--robot", "--robust", "--fit-all", "--accept"}},
         {"Results", {"--out"}}}},
+      {"validate",
+       {{"Log", {"--topic", "--columns"}},
+        {"What is compared", {"--robot", "--commands", "--controllers", "--gains"}},
+        {"Results", {"--out"}}}},
   };
   return all;
 }

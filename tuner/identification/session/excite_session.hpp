@@ -51,8 +51,8 @@ class ExciteSession {
   /// The observer must outlive the session.
   ExciteSession(ExciteSettings settings, SessionContext context, ExciteObserver& observer);
 
-  /// Runs the session; may be called once. Throws InputError if the folder is used already or the trajectory
-  /// does not fit the arm; FailedError if a file cannot be written.
+  /// Runs the session. May be called only once. Throws InputError if the folder is used already or the
+  /// trajectory does not fit the arm; FailedError if a file cannot be written.
   ExciteOutcome run();
 
  private:

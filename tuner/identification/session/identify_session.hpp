@@ -37,8 +37,8 @@ class IdentifySession {
   /// The observer must outlive the session.
   IdentifySession(IdentifySettings settings, SessionContext context, SessionObserver& observer);
 
-  /// Runs the session; may be called once. Throws InputError if the folder is used already or a log cannot be
-  /// used; FailedError if a file cannot be written.
+  /// Runs the session. May be called only once. Throws InputError if the folder is used already or a log
+  /// cannot be used; FailedError if a file cannot be written.
   IdentifyOutcome run();
 
  private:

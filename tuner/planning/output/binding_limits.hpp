@@ -1,6 +1,6 @@
 #pragma once
-// Finds the active limits of a planned motion, which prevent a faster or more accurate one. If the planner
-// found no motion, these are the limits that prevent it.
+// Finds the active limits of a planned motion, that is, the limits that prevent a faster or more accurate
+// motion. If the planner found no motion, finds the limits that prevent a solution.
 
 #include "tuner/planning/transcription/refining_solver.hpp"
 

@@ -26,8 +26,9 @@ std::string contact_note(const PlanTask& task) {
                : "The plan ignores contact between links.";
   const auto drawn = clearance ? drawn_links(clearance->arm()) : std::vector<std::string>{};
   if (!drawn.empty())
-    text += fmt::format(" The distances rest on the drawn shapes of {}, which have no collision shapes.",
-                        fmt::join(drawn, ", "));
+    text += fmt::format(
+        " The distances are measured from the drawn shapes of {}, which have no collision shapes.",
+        fmt::join(drawn, ", "));
   if (clearance && !clearance->arm().unknown.empty())
     text += fmt::format(" Not checked, because their shapes are not known: {}.",
                         fmt::join(clearance->arm().unknown, ", "));

@@ -33,7 +33,7 @@ struct LimitUse {
 std::vector<LimitUse> limit_uses(const PlanTask& task, const PlanProblem& problem,
                                  const PlannedTrajectory& planned);
 
-/// The largest use, between knots, of all limits of some kinds.
+/// The limit that is used most between knots, among the limits of the given kinds.
 struct WorstUse {
   const LimitUse* use = nullptr;  ///< one of the uses that were given; null: no limit of these kinds
   double between = 0.0;

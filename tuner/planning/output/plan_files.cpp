@@ -45,15 +45,30 @@ std::string trajectory_csv(const PlanTask& task, const PlanProblem& problem, con
   return text;
 }
 
+std::vector<double> motion_rows(const PlanTask& task, const PlanProblem& problem,
+                                const Trajectory& trajectory, int rows) {
+  const std::vector<PlanColumn> columns = motion_columns(task, *problem.robot);
+  std::vector<double> values;
+  PlanSampler sampler(task, problem, trajectory);
+  const double start = trajectory.time.front();
+  const double duration = trajectory.time.back() - start;
+  for (int row = 0; row < rows; ++row) {
+    const PlanSample& at = sampler.at(start + duration * row / (rows - 1));
+    for (const PlanColumn& column : columns) values.push_back(column.value(at));
+  }
+  return values;
+}
+
 std::string motion_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory,
                        int rows) {
   const std::vector<PlanColumn> columns = motion_columns(task, *problem.robot);
   std::string text = header(columns);
-  PlanSampler sampler(task, problem, trajectory);
-  const double start = trajectory.time.front();
-  const double duration = trajectory.time.back() - start;
-  for (int row = 0; row < rows; ++row)
-    add_row(columns, sampler.at(start + duration * row / (rows - 1)), text);
+  std::size_t column = 0;
+  for (const double value : motion_rows(task, problem, trajectory, rows)) {
+    text += cell(value);
+    column = (column + 1) % columns.size();
+    text += column == 0 ? '\n' : ',';
+  }
   return text;
 }
 
@@ -77,7 +92,7 @@ std::vector<Column> limits_columns() {
           {"kind",
            "",
            "kind of limit: position, velocity, acceleration, jerk, torque, tool path, gaze, or the distance "
-           "to obstacle, cell part, floor, or between links",
+           "to an obstacle, a cell part or the floor, or between links",
            {}},
           {"part", "", "joint, axis or link that the limit applies to", {}},
           {"unit", "", "unit of lower and upper", {}},

@@ -13,8 +13,12 @@ namespace armtune::internal {
 /// also given as shares of the robot's limits.
 std::string trajectory_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory);
 
-/// Returns the text of motion.csv: the same motion at `rows` (>= 2) evenly spaced times from its start to its
-/// end.
+/// Returns the values of motion_columns(), row by row, at `rows` (>= 2) evenly spaced times from the start of
+/// the motion to its end.
+std::vector<double> motion_rows(const PlanTask& task, const PlanProblem& problem,
+                                const Trajectory& trajectory, int rows);
+
+/// Returns the text of motion.csv, which has the rows of motion_rows().
 std::string motion_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory,
                        int rows);
 

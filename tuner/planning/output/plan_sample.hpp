@@ -36,8 +36,8 @@ class PlanSampler {
   /// Task, problem and trajectory must outlive the sampler.
   PlanSampler(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory);
 
-  /// Returns the sample at knot k, as the trajectory stores it. Its jerk is that of the interval after the
-  /// knot; at the last knot it is that of the interval before.
+  /// Returns the sample at knot k, as the trajectory stores it. Its jerk is the jerk in the interval after
+  /// the knot or, at the last knot, in the interval before it.
   const PlanSample& at_knot(Eigen::Index k);
   /// Returns the sample in interval k at the fraction `part` (0 .. 1) of its duration.
   const PlanSample& within(Eigen::Index k, double part);

@@ -15,7 +15,7 @@ std::string planned_scenario_name(const PlanTask& task);
 /// Returns the text of the scenario file. The scenario is based on the task's own scenario. The controller
 /// follows trajectory.csv, which is in the same folder, to its end. The controller's dynamic parameters start
 /// at the values of the arm's model. If the task's scenario has no cell, and shapes of the arm are known,
-/// this scenario has an empty one, so that contact between links is checked.
+/// this scenario has an empty cell, so that contact between links is checked.
 std::string planned_scenario_yaml(const PlanTask& task);
 
 }  // namespace armtune::internal

@@ -8,7 +8,7 @@
 namespace armtune::internal {
 
 /// Compares the rollouts in the folder with the best motions, and writes yardstick.csv there (see Yardstick).
-/// Never throws, because the run itself is finished: it only warns. If `stop` becomes true, it writes only
+/// Never throws but only warns, because the run itself is finished. If `stop` becomes true, it writes only
 /// yardstick.csv, with the events that are finished.
 YardstickFiles add_yardstick(const std::string& folder, const std::vector<Scenario>& scenarios,
                              const GainsOf& gains, const std::atomic<bool>& stop,

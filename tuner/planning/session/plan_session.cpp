@@ -6,6 +6,7 @@
 
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/error_report.hpp"
+#include "sim/rollout/motion_bag.hpp"
 #include "tuner/planning/output/contact_note.hpp"
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
@@ -65,6 +66,10 @@ void PlanSession::write_files() {
   write_text_file(folder + "/task.yaml", plan_task_yaml(task));
   write_text_file(folder + "/trajectory.csv", trajectory_csv(task, problem, planned.trajectory));
   write_text_file(folder + "/motion.csv", motion_csv(task, problem, planned.trajectory, kMotionRows));
+  if (settings_.mcap) {
+    write_motion_bag(folder + "/motion.mcap", {robot, column_names(described(motion_columns(task, robot))),
+                                               motion_rows(task, problem, planned.trajectory, kMotionRows)});
+  }
   write_text_file(folder + "/limits.csv", limits_csv(outcome_.uses));
   write_text_file(folder + "/columns.csv",
                   columns_csv({{"trajectory.csv", described(trajectory_columns(task, robot))},
@@ -86,6 +91,7 @@ void PlanSession::write_files() {
   write_run_record(folder, std::move(record), files);
   outcome_.files = {"trajectory.csv", "motion.csv",  "limits.csv", "joint_trajectory.yaml",
                     "task.yaml",      "columns.csv", kRunRecord,   planned_scenario_name(task)};
+  if (settings_.mcap) outcome_.files.emplace_back("motion.mcap");
   const auto pages = add_report(
       folder, [&task] { return scene_of_plan(task); }, observer_);
   outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());

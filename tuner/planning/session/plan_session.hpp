@@ -19,6 +19,7 @@ struct PlanSettings {
   std::string folder;  ///< empty: nothing is written
   PlanTask task;
   RosVersion ros = RosVersion::kRos2;  ///< version that joint_trajectory.yaml is written for
+  bool mcap = false;                   ///< true: also write motion.csv as motion.mcap (motion_bag.hpp)
 };
 
 struct PlanOutcome {

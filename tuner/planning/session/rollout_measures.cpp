@@ -48,7 +48,8 @@ std::vector<PendingEvent> pending_in(const std::string& folder, const std::vecto
     recordings.emplace_back(rollout.table.name(), rollout.hash);
     const std::vector<Event> events = events_of(rollout.table, scenario, options.gaze_threshold);
     if (events.empty())
-      observer.noted(scenario.name, "has no target switch, return to the path or complete lap");
+      observer.noted(scenario.name,
+                     "has neither a target switch, nor a return to the path, nor a complete lap");
     for (const Event& event : events) pending.push_back({s, event, options});
   }
   return pending;

@@ -10,7 +10,7 @@
 namespace armtune::internal {
 
 /// Returns the run folder that a folder with rollouts belongs to. A run may keep the rollouts of each gain
-/// set in a subfolder. Therefore this is the parent of the folder if only the parent has a run.json,
+/// set in a subfolder. Therefore the result is the parent of the folder if only the parent has a run.json,
 /// otherwise the folder itself.
 std::string run_folder_of(const std::string& folder);
 

@@ -14,8 +14,8 @@ namespace armtune::internal {
 /// that the limits below allow, and rests there for 0.5 s. Its acceleration is linear between the points of
 /// its time grid. Limits:
 ///   - 80 % of the robot's limits of velocity, effort and, if it has any, acceleration;
-///   - an acceleration that reaches the permitted velocity in no less than 0.5 s, and a jerk that reaches the
-///     permitted acceleration in no less than 0.1 s;
+///   - an acceleration with which a joint needs at least 0.5 s to reach its permitted velocity, and a jerk
+///     with which it needs at least 0.1 s to reach its permitted acceleration;
 ///   - distances: links stay 2 cm away from the parts of the cell and the floor, and 5 mm from each other.
 ///     Like the torque, distances are checked at 61 times of each move, not between them.
 ///

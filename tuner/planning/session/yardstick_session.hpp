@@ -13,7 +13,7 @@ namespace armtune::internal {
 struct YardstickSettings {
   std::string folder;                  ///< folder of a run, or of one of its gain sets
   std::vector<std::string> scenarios;  ///< names or files; empty: the run's own
-  std::string out;                     ///< file to write instead of FOLDER/yardstick.csv; empty: none
+  std::string out;                     ///< file to write; empty: FOLDER/yardstick.csv
   YardstickOptions options;            ///< gaze_threshold and clearance are those of the run's gains
 };
 
@@ -28,11 +28,11 @@ class YardstickSession {
   /// The observer must outlive the session.
   YardstickSession(YardstickSettings settings, SessionContext context, YardstickObserver& observer);
 
-  /// Runs the session; may be called once. Writes the comparison as a CSV file, and beside it its record
-  /// with the ending .json. Without `out` they are yardstick.csv and yardstick.json in the folder; the run's
-  /// columns.csv and its report are then updated too. Throws InputError if the folder has no rollouts or no
-  /// gains, if a file of the run cannot be used, or if `out` exists already. Throws FailedError if a file
-  /// cannot be written.
+  /// Runs the session. May be called only once. Writes the comparison as a CSV file, and beside it a record
+  /// of the same name with the ending .json. Without `out` they are yardstick.csv and yardstick.json in the
+  /// folder; the run's columns.csv and its report are then updated too. Throws InputError if the folder has
+  /// no rollouts or no gains, if a file of the run cannot be used, or if `out` exists already. Throws
+  /// FailedError if a file cannot be written.
   YardstickOutcome run();
 
  private:

@@ -3,8 +3,8 @@
 // interior point method. The method uses Mehrotra's predictor and corrector (SIAM J. Optim. 2, 1992). Some
 // constraint rows are elastic: they may be violated at an l1 penalty. Hard equations are treated by the
 // proximal method of multipliers (Friedlander and Orban, Math. Prog. Comp. 4, 2012). Each step thereby
-// reduces to one linear system with the positive definite matrix K = H + G^T D G. H is the Hessian, G has the
-// constraint rows, and D is a diagonal matrix (condensed_system.hpp).
+// reduces to one linear system with the positive definite matrix K = H + delta I + G^T D G. H is the Hessian,
+// delta a small constant, G has the constraint rows, and D is a diagonal matrix (condensed_system.hpp).
 
 #include <functional>
 #include <memory>

@@ -28,8 +28,8 @@ class NonlinearProgram {
   int variables() const { return static_cast<int>(cost.size()); }
 
   Eigen::VectorXd cost;
-  /// Weights above 0 that define the length of a step dz. The square of the length is sum metric_i dz_i^2.
-  /// With these weights, a step is about equally long on coarse and on fine grids.
+  /// Weights above 0 that define the length of a step dz. The square of the length is the sum of metric_i *
+  /// dz_i^2. With these weights, a step is about equally long on coarse and on fine grids.
   Eigen::VectorXd metric;
   /// Indices of rows whose value is positive and may at most halve or double in one step.
   std::vector<Eigen::Index> halving_rows;

@@ -1,6 +1,7 @@
 #pragma once
 // Defines a quadratic program whose constraint rows may be elastic, that is, violated at a penalty:
-//   minimise    |R x|^2 / 2 + x^T C x / 2 + sum_i damping_i x_i^2 / 2 + gradient^T x + sum_i penalty_i v_i
+//   minimise    |R x|^2 / 2 + x^T C x / 2 + sum_i damping_i * x_i^2 / 2 + gradient^T x
+//               + sum_i penalty_i * v_i
 //   subject to  lower_i - v_i <= G_i x <= upper_i + v_i,   v_i >= 0.
 // v_i is the violation of row i. It is 0 for hard rows, whose penalty is infinite.
 

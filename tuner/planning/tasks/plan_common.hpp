@@ -21,8 +21,8 @@ struct PlanCommon {
   /// Returns an optimisation problem with these limits and this start state. The caller adds the goals of the
   /// task.
   TrajectoryTask on(const TimeGrid& grid) const;
-  /// Returns a phase (a section of the time grid) with the task's duration. If the task has none, the
-  /// duration is free, and `guess` is its first guess [s].
+  /// Returns a phase (a section of the time grid) with the task's duration. If the task gives no duration,
+  /// the duration is free, and `guess` is its first guess [s].
   Phase phase(const char* name, int intervals, double guess) const;
   TimeGrid grid(std::vector<Phase> phases) const;
   /// Returns the task's duration [s]. If it has none, returns the time that the controller took, and if that
@@ -31,8 +31,8 @@ struct PlanCommon {
   /// Returns the time [s] in which every joint can make its displacement at half its velocity limit; at least
   /// 0.2 s. way: displacement of each joint (n) [rad, m].
   double likely_duration(const JointVector& way) const;
-  /// Returns twice the time that stopping from the start's velocity takes [s]: once for stopping, and once
-  /// for moving back.
+  /// Returns twice the time that the arm needs to stop from its velocity at the start [s]: once for stopping,
+  /// and once for moving back.
   double turning_time() const;
   /// Throws OutOfReach. The message says that no joint position puts the tool at this point [m].
   [[noreturn]] void no_pose(const Vec3& tool) const;

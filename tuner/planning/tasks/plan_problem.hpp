@@ -21,9 +21,9 @@ struct PlanProblem {
   std::shared_ptr<const PlanProblem> free_duration;
 };
 
-/// Returns the problem of a task. Throws InputError if the arm cannot reach the tool's path where the plan
-/// needs it to, if the start or the goal violates the task's limits, or if a given rollout does not fit the
-/// task.
+/// Returns the problem of a task. Throws InputError if the arm cannot reach a point of the tool's path that
+/// the plan needs, if the start or the goal violates the task's limits, or if a given rollout does not fit
+/// the task.
 PlanProblem plan_problem(const PlanTask& task);
 
 /// Returns the motion of the gaze target. At each time, this is the scenario's target that is then active.

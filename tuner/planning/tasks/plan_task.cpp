@@ -49,9 +49,9 @@ PlanLimits read_limits(const yaml::Node& node, const RobotModel& robot) {
   for (Eigen::Index i = 0; i < limits.acceleration.size(); ++i) {
     if (!(limits.acceleration[i] <= of_robot[i]))
       node_of_joint(map.required("acceleration"), i, joints)
-          .fail(fmt::format("the limit of {} is {}, above the robot's {}; give at most that",
-                            joints[static_cast<std::size_t>(i)], cell(limits.acceleration[i]),
-                            cell(of_robot[i])),
+          .fail(fmt::format(
+                    "the limit of {} is {}, above the robot's limit {}; give at most the robot's limit",
+                    joints[static_cast<std::size_t>(i)], cell(limits.acceleration[i]), cell(of_robot[i])),
                 "at most " + cell(of_robot[i]));
   }
   limits.jerk = positive_values(map, "jerk", joints);

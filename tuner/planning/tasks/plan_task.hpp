@@ -29,12 +29,12 @@ std::string name(PlanKind kind);
 struct PlanLimits {
   double velocity = 1.0;     ///< share of the robot's velocity limits
   double effort = 1.0;       ///< share of its effort limits
-  JointVector acceleration;  ///< n or empty (the robot's only) [rad/s^2, m/s^2]
-  JointVector jerk;          ///< n or empty (none) [rad/s^3, m/s^3]
+  JointVector acceleration;  ///< n, or empty: only the robot's limits [rad/s^2, m/s^2]
+  JointVector jerk;          ///< n, or empty: no limit [rad/s^3, m/s^3]
 };
 
-/// The start of the motion. If nothing is given, a move starts at the scenario's start position. The other
-/// kinds then start with the tool on its path and the gaze at the target.
+/// The start of the motion. If nothing is given, a task of the kind kMove starts at the scenario's start
+/// position. Tasks of the other kinds then start with the tool on its path and the gaze at the target.
 struct PlanStart {
   JointVector position;      ///< n or empty
   JointVector velocity;      ///< n or empty (at rest)
@@ -57,8 +57,9 @@ struct PlanTask {
   double path_tolerance = 1e-3;    ///< largest tool error along x, y, z [m]
   double gaze_threshold = 0.15;    ///< largest gaze angle that counts as on target [rad]
   bool end_gaze = false;           ///< kReturn: true if the gaze must be within its threshold at the end
-  double clearance = 0.0;          ///< least distance of joint origins and tool from obstacles' surfaces, of
-                                   ///< links from the cell and, 5 mm at most, from each other [m]; 0: none
+  double clearance = 0.0;          ///< least distance of joint origins and tool from obstacles' surfaces, and
+                                   ///< of links from the cell [m]; 0: none. Links keep the same distance from
+                                   ///< each other, but at most 5 mm
   PlanLimits limits;
   int knots = 200;           ///< number of intervals of the time grid
   double smoothness = 1e-9;  ///< small weight of jerk in the cost; selects one of many equal optima

@@ -18,8 +18,8 @@ bool has_effect(const std::string& key, const PlanTask& task);
 const yaml::Node& node_of_joint(const yaml::Node& node, Eigen::Index i,
                                 const std::vector<std::string>& joints);
 
-/// Throws InputError at the node if the task cannot be planned in its scenario. The task needs its kind and
-/// its scenario.
+/// Throws InputError at the node if the task cannot be planned in its scenario. Of the task, only the kind
+/// and the scenario must be set before the call.
 void check_task_scenario(const yaml::Node& scenario, const PlanTask& task);
 
 /// Throws InputError with file, line and key if a key is missing or has no effect, or if the start or the

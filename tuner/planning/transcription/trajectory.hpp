@@ -22,8 +22,8 @@ struct TrajectoryPoint {
 };
 TrajectoryPoint point_at(const Trajectory& trajectory, double t);
 
-/// Returns the same motion at the knots of another grid with the same phases. The phases take the
-/// trajectory's durations in place of the grid's.
+/// Returns the same motion at the knots of another grid with the same phases. The phases keep the durations
+/// that they have in the trajectory. The durations of the grid are not used.
 Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid);
 
 /// Returns the motion through the same positions with the phase durations of `grid`, which has the same

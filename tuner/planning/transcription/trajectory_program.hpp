@@ -2,14 +2,15 @@
 // Turns the optimisation of a motion into a nonlinear program (direct transcription). The jerk of the motion
 // is piecewise constant. The unknowns are position q, velocity q' and acceleration q'' of every coordinate at
 // every knot (point of the time grid), and the free durations. Between two knots, the motion is an exact
-// cubic. With h the time between the knots, and q+ the value of q at the second knot:
-//   q+ = q + h q' + h^2 (q''/3 + q''+/6),   q'+ = q' + h (q'' + q''+)/2.
+// cubic. With h the time between the knots, and q_next the value of q at the second knot:
+//   q_next  = q + h * q' + h^2 * (q''/3 + q_next''/6)
+//   q_next' = q' + h * (q'' + q_next'')/2
 // Limits of position, velocity and acceleration are satisfied between the knots as well:
 // - q'' is linear there. It satisfies its limit if it does so at the knots.
-// - q' is a parabola with the control points q', q' + h q''/2, q'+. If these satisfy the velocity limit, so
-//   does the parabola (Farin, Curves and Surfaces for CAGD, chapter 4).
-// - q has the control points q, q + h q'/3, q + 2 h q'/3 + h^2 q''/6, q+. If these satisfy the position
-//   limits, so does q.
+// - q' is a parabola with the control points q', q' + h * q''/2 and q_next'. If these satisfy the velocity
+//   limit, so does the parabola (Farin, Curves and Surfaces for CAGD, chapter 4).
+// - q has the control points q, q + h * q'/3, q + 2 * h * q'/3 + h^2 * q''/6 and q_next. If these satisfy the
+//   position limits, so does q.
 // Source: Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
 
 #include <algorithm>
@@ -131,7 +132,8 @@ class TrajectoryProgram : public NonlinearProgram {
     const auto place = static_cast<std::size_t>(offset % group.width / rows_each);
     return task_.coordinates[static_cast<std::size_t>(limited(group)[place])];
   }
-  /// Returns these columns of interval k, and after them that of its phase's duration if that is free.
+  /// Returns the given columns of interval k, followed by the column of its phase's duration if this duration
+  /// is free.
   std::vector<int> with_duration(std::vector<int> columns, int k) const;
   void lay_out_intervals();
   void lay_out_continuity();

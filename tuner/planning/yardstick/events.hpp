@@ -41,14 +41,15 @@ struct Event {
   double reached = 0.0;  ///< value that EventKind defines; NaN: not reached before `end`
   ControlState state = ControlState::kFollowTrajectory;  ///< state of the controller at `time`
   /// kSwitch: time until the gaze angle is under its threshold and stays there until the next switch or the
-  /// end of the rollout, in any state [s]. If it never does, the time until then. The metric
-  /// reacquisition/time is the largest of these times.
+  /// end of the rollout, in any state [s]. If it does not stay there, this is the time until that switch or
+  /// end. The metric reacquisition/time is the largest of these times.
   double settled = 0.0;
   double gaze = 0.0;     ///< gaze angle to the active target at `time` [rad]
   JointVector position;  ///< (n) at `time` [rad, m]
   JointVector velocity;  ///< (n) at `time` [rad/s, m/s]
-  /// Largest distance of the tool from the path along one of the axes x, y, z during the event [m]. A switch
-  /// whose target was reached is considered until kSwitchHold after that moment, as in the plan.
+  /// Largest distance of the tool from the path along one of the axes x, y, z during the event [m]. For a
+  /// switch whose target was reached, errors count until kSwitchHold after the target was reached, as in the
+  /// plan.
   double path_error = 0.0;
   /// Least distance of the tool, or of a joint origin that can move, from an obstacle's surface during the
   /// same period as for path_error [m]; infinite without obstacles.

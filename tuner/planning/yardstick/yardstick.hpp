@@ -1,7 +1,7 @@
 #pragma once
 // Compares a controller with the best motion that the arm's limits allow (`armtune yardstick`). For each
 // event of a rollout (a simulation of the controlled arm), such as a lap of the path, the best motion from
-// the same state of the arm is planned.
+// the state of the arm at the start of the event is planned.
 
 #include "tuner/planning/tasks/plan_task.hpp"
 #include "tuner/planning/transcription/refining_solver.hpp"
@@ -45,7 +45,7 @@ struct Measure {
   MeasureStatus status = MeasureStatus::kNotSolved;
   double limit = 0.0;        ///< limit of the event (see MeasureStatus); NaN if none was found
   double clearance = 0.0;    ///< distance that the plan keeps from obstacles [m]; NaN: none
-  std::string held_back_by;  ///< such as "velocity of wrist_2_joint" or "reach of the arm"; empty: nothing
+  std::string held_back_by;  ///< limit that prevents a better value, such as "reach of the arm"; empty: none
   /// Returns event.reached divided by `limit`. NaN if either is missing or the limit is 0.
   double ratio() const;
 };
@@ -60,7 +60,8 @@ double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Traject
                 const std::vector<double>& times);
 
 /// Plans the best motion for an event. Returns the value of the event's metric for this motion, which no
-/// controller can better. If no plan keeps its distance from the obstacles, the plan is made without them.
+/// controller can improve on within the same limits. If no plan keeps its distance from the obstacles, the
+/// plan is made without them.
 Measure measure(const Event& event, const Scenario& scenario, const YardstickOptions& options,
                 const PlanObserver& observer);
 

@@ -44,8 +44,8 @@ std::vector<Column> yardstick_columns() {
       {"unit", "", "unit of reached and limit", {}},
       {"outcome",
        "",
-       "reached; already there; not before the next switch; cut off by the end of the rollout; cut off by an "
-       "obstacle that the arm avoids",
+       "how the event ended: reached; already there; not before the next switch; cut off by the end of the "
+       "rollout; cut off by an obstacle that the arm avoids",
        {}},
       {"held_back_by",
        "",

@@ -55,6 +55,18 @@ inline RunRecord whole_record() {
                         true,
                         {{"elbow", 3.0, 0.1, 0.2, 0.3}, {"wrist", {}, 0.5, {}, {}}},
                         {"the sign is wrong"}};
+  run.validation = {false,
+                    "the elbow differs",
+                    "ur10",
+                    2000,
+                    20.0,
+                    "position",
+                    {{"elbow", true, 0.97, 1.5, 9.0, 0.4}, {"wrist", false, {}, 0.5, {}, {}}},
+                    {"wrist: 61 % explained"},
+                    {"the torques are late"},
+                    {"no motion"},
+                    {"positions: q1"},
+                    {{"explained", 0.9}}};
   run.excitation = {true, 8.486};
   run.yardstick = {5, 0.9, 0.8, 120};
   run.versions = {{"armtune", "0.1.0"}, {"eigen", "3.4.0"}};

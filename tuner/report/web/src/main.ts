@@ -13,6 +13,7 @@ import { scenariosSection } from "./sections/scenarios";
 import type { Section } from "./sections/section";
 import { sensitivitySection } from "./sections/sensitivity";
 import { tablesSection } from "./sections/tables";
+import { validationSection } from "./sections/validation";
 import { verdictSection } from "./sections/verdict";
 import { yardstickSection } from "./sections/yardstick";
 import { themeButton } from "./theme";
@@ -40,6 +41,7 @@ function show(data: ReportData): void {
     tablesSection(data),
     frontSection(data),
     planSection(data),
+    validationSection(data),
     scenariosSection(data),
     convergenceSection(data),
     gainsSection(data),

@@ -42,8 +42,8 @@ export const FIGURES: Figure[] = [
   { group: "joint_error", title: "Joint error from the planned trajectory", axis: "error", fromZero: false, lines: none },
   { group: "gaze", title: "Gaze angle to the target", axis: "angle", fromZero: true, lines: none },
   ...OF_PLANS,
-  { group: "velocity_ratio", title: "Joint velocities over their limits", axis: "velocity / limit", fromZero: true, lines: limit },
-  { group: "torque_ratio", title: "Joint torques over their limits", axis: "torque / limit", fromZero: true, lines: limit },
+  { group: "velocity_ratio", title: "Joint velocities divided by their limits", axis: "velocity / limit", fromZero: true, lines: limit },
+  { group: "torque_ratio", title: "Joint torques divided by their limits", axis: "torque / limit", fromZero: true, lines: limit },
   { group: "theta", title: "Torque error of theta", axis: "torque", fromZero: true, lines: none },
   {
     group: "clearance",

@@ -5,7 +5,7 @@ import { formatPercent } from "../format";
 import { WARN_FROM } from "./arm";
 
 export class Meters {
-  readonly root = element("ul", { class: "meters", "aria-label": "Joint velocities over their limits" });
+  readonly root = element("ul", { class: "meters", "aria-label": "Joint velocities divided by their limits" });
   private readonly rows: { bar: HTMLElement; text: HTMLElement }[];
 
   constructor(robot: Robot) {

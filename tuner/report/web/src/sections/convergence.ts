@@ -97,7 +97,7 @@ export function convergenceSection(data: ReportData): Section | null {
     `${total} evaluations`,
     shown < total ? `the plot shows ${shown} of them, the best and the worst of every ${Math.ceil(total / 6000)}` : "",
     native > 0 ? `${native} of them in the native engine` : "",
-    `${feasible} feasible in total (phases: ${phases})`,
+    `${feasible} feasible in total (evaluations in each phase: ${phases})`,
     undrawnText(undrawn),
   ];
   return section(

@@ -78,7 +78,7 @@ export function planSection(data: ReportData): Section | null {
       ? bindingTable(active)
       : element("p", { class: "note" }, "No limit is active: a wider limit would not improve the plan."),
     active.length > 0 &&
-      element("p", { class: "note" }, "Weight: improvement of the plan if the limit were slightly wider, relative to the first limit."),
+      element("p", { class: "note" }, "Weight: how much the plan would improve if the limit were slightly wider, compared with the first limit of the table (100 %)."),
     element(
       "details",
       {},

@@ -93,8 +93,8 @@ export function tablesSection(data: ReportData): Section | null {
   const headings = ["Numbers, scenario by scenario", "Numbers, scenario by scenario", `${first} and ${last}, scenario by scenario`];
   const note =
     sets.length > 2
-      ? `Below each value: its ratio to the value of ${first}. Each metric defines what is better.`
-      : `Ratio: ${last} divided by ${first}. Each metric defines what is better.`;
+      ? `Below each value: its ratio to the value of ${first}. Each metric defines whether less or more is better.`
+      : `Ratio: ${last} divided by ${first}. Each metric defines whether less or more is better.`;
   return section(
     "numbers",
     "Numbers",

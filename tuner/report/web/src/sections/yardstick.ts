@@ -106,7 +106,7 @@ export function yardstickSection(data: ReportData): Section | null {
     element(
       "p",
       { class: "note" },
-      "Each event is compared with the best motion that was found from the same state. It is planned with full knowledge and keeps the arm's limits of position, velocity and torque.",
+      "Each event (target switch, return to the path, or lap) is compared with the best motion that was found from the same state of the arm. This motion is planned with exact knowledge of the arm, the targets and the obstacles. It keeps the arm's limits of position, velocity and torque.",
     ),
     element(
       "ul",
