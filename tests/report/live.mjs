@@ -33,9 +33,9 @@ const evaluations = async (page) => Number(/^(\d+) of \d+ evaluations/.exec(awai
 async function watch(page) {
   await until(async () => (await evaluations(page)) > 0, "the page says how many evaluations there are");
   const first = await evaluations(page);
-  expect(/about .* left/.test(await words(page, "#live p")), "the time left");
-  expect((await words(page, "h1")).length > 0, "a verdict of the best so far");
-  await page.evaluate(() => (window.first = true));
+  await until(async () => /about .* left/.test(await words(page, "#live p")), "the time left");
+  await until(async () => (await words(page, "h1")).length > 0, "a verdict of the best so far");
+  await until(() => page.evaluate(() => (window.first = true)).catch(() => false), "a mark on the page");
   await new Promise((done) => setTimeout(done, 1000 * WATCHED_S));
   await until(async () => (await evaluations(page)) > first, "more evaluations");
   expect((await page.evaluate(() => window.first)) === undefined, `the page has loaded itself again: ${await evaluations(page)} evaluations after ${first}`);
