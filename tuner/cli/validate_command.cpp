@@ -65,7 +65,7 @@ int run_validate(const ValidateArguments& args) {
 void add_validate_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<ValidateArguments>();
   CLI::App* command = app.add_subcommand(
-      "validate", "Say whether a robot file predicts a recording of the robot, and what it lacks if not");
+      "validate", "Say whether a robot file predicts a recording of the robot and, if not, what it lacks");
   command
       ->add_option("LOG", args->settings.logs,
                    "CSV file in any common layout, .mcap file, .db3 file, or folder of rosbag2. Several text "

@@ -247,8 +247,8 @@ std::string to_text(const LogMistake& mistake, const RobotModel& model) {
     case MistakeKind::kAnotherArm:
       break;
   }
-  return "the log seems to be of another arm, or the masses in the robot file are far from the arm's; no "
-         "single unit, sign, column, zero position or mounting explains it";
+  return "the log is of another arm, or the masses or the friction in the robot file are far from the arm's; "
+         "no single unit, sign, column, zero position or mounting explains it";
 }
 
 }  // namespace armtune::internal

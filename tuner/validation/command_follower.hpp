@@ -32,8 +32,8 @@ class CommandFollower {
   virtual void torque(long k, const JointVector& q, const JointVector& qd, JointVector& tau) = 0;
 };
 
-/// Makes the follower for these commands. sample_period: time between samples of the log, of which a step is
-/// a whole part unless a controller is simulated [s]. All references must outlive the result.
+/// Makes the follower for these commands. sample_period: time between samples of the log [s]. It is a
+/// multiple of the follower's step unless a controller is simulated. All references must outlive the result.
 std::unique_ptr<CommandFollower> make_command_follower(const RobotModel& model,
                                                        const MotionCommands& commands, double sample_period);
 

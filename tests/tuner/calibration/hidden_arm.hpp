@@ -1,6 +1,7 @@
 #pragma once
 // Arms that differ from their robot file in what calibration fits, and logs of their motion under three kinds
-// of commands: encoders with noise and commands, of which some samples are lost. There are no torques.
+// of commands. A log has noisy encoders and the commands. Some of its samples are lost, and it has no
+// torques.
 
 #include <cmath>
 #include <random>
