@@ -29,7 +29,7 @@ void RowOrder::push(LogRow& row) {
   }
   if (place != window_.end()) ++repairs_.moved;
   window_.insert(place, std::move(row));
-  row.value.clear();
+  row = LogRow();
   if (free_.empty()) return;
   row.value = std::move(free_.back());
   free_.pop_back();
