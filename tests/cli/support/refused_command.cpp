@@ -12,6 +12,7 @@
 #include "tests/core/support/refused_at.hpp"
 #include "tuner/cli/command_parser.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 
 namespace armtune::internal::test {
 namespace {
@@ -25,12 +26,14 @@ int run_here(std::vector<std::string> arguments) {
   int exit_code = 0;
   cli::declare_program(app, exit_code);
   std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
-  try {
-    app.parse(arguments);
-  } catch (const CLI::ParseError& error) {
-    throw InputError(one_line(error.what()));
-  }
-  return exit_code;
+  return cli::on_ranks("", [&] {
+    try {
+      app.parse(arguments);
+    } catch (const CLI::ParseError& error) {
+      throw InputError(one_line(error.what()));
+    }
+    return exit_code;
+  });
 }
 
 }  // namespace
