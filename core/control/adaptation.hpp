@@ -5,9 +5,10 @@
 // The scalar type T is double for one arm, or a SIMD type for several arms at once (core/common/pack.hpp).
 //
 // The published law (NOTATION.md) computes Y from the measured motion, Y(q, q', qr', qr''). S contains the
-// noise e of the measured velocities. Through the feedback, qr'' = ... - Kp e also contains it. S and Y are
-// then correlated, so the inertia estimates grow without end, by gamma Kp E[e^2] per second. Three options
-// limit this drift of theta; the published law has none of them:
+// noise e of the measured velocities. The reference acceleration qr'' contains it too, because it contains
+// the feedback -Kp e. S and Y are then correlated, so the inertia estimates grow without end, by gamma Kp
+// E[e^2] per second, where E[e^2] is the variance of the noise. Three options limit this drift of theta; the
+// published law has none of them:
 //   - Y is computed from the filtered motion (adaptation_filter.hpp), which has hardly any noise.
 //   - Leakage moves theta towards its start values, faster for inertias than for the other parameters. Noise
 //     mainly increases the estimates of inertias, and an overestimated inertia of a light wrist makes the

@@ -9,8 +9,8 @@
 
 namespace armtune::internal {
 
-/// The values k_f: either n values, one per force point, or n * n values, of which those of force point i
-/// start at the index i * n.
+/// The values k_f: either n values, one per force point, or n * n values. In the second case, the n values of
+/// force point i start at the index i * n.
 using ForceGains = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxJoints * kMaxJoints, 1>;
 
 /// True if every force point has a separate gain for each of the n joints.

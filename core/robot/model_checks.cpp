@@ -115,7 +115,7 @@ void Checker::arm() const {
           model_.name);
   require(chain.n <= kMaxJoints, {{}, "joints", chain.n, "at most 12"},
           "robot '{}' has {} moving joints; armtune supports at most {}", model_.name, chain.n, kMaxJoints);
-  static_assert(kMaxJoints == 12, "the text of the limit above has this number");
+  static_assert(kMaxJoints == 12, "the message above names this number");
   const bool consistent = static_cast<int>(model_.joints.size()) == chain.n &&
                           chain.rotor_inertia.size() == chain.n && chain.viscous_friction.size() == chain.n &&
                           chain.coulomb_friction.size() == chain.n;

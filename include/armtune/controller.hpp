@@ -3,8 +3,8 @@
 // from references and the measured state, and you declare its gains.
 //
 // armtune supplies the rest, which is the same for every controller: the state machine, the references for
-// the tool's path and gaze, return trajectories to the path, the repulsion from obstacles, the velocity
-// governor and the effort limits.
+// the tool's path and gaze, trajectories that lead the tool back to the path, the repulsion from obstacles,
+// the velocity governor and the effort limits.
 
 #include <Eigen/Core>
 #include <functional>

@@ -31,6 +31,24 @@ JointVector levers(const RobotModel& robot, const PlacedSolid& placed, int body,
   return lever;
 }
 
+/// The pose of a solid.
+struct Placement {
+  Mat3 R;
+  Vec3 p;
+};
+
+Placement placed(const ArmSolid& solid, const Poses& poses) {
+  const PlacedSolid& on = solid.placed;
+  if (solid.body < 0) return {on.R_BS, on.p_BS};
+  const auto k = static_cast<std::size_t>(solid.body);
+  return {poses.R_0B[k] * on.R_BS, poses.p_0B[k] + poses.R_0B[k] * on.p_BS};
+}
+
+/// Returns the largest d . x over the points x of a solid at that pose. d: unit vector.
+double support(const Solid& solid, const Placement& at, const Vec3& d) {
+  return d.dot(at.p) + support(solid, at.R.transpose() * d);
+}
+
 }  // namespace
 
 ClearanceModel::ClearanceModel(std::shared_ptr<const RobotModel> robot, Cell cell)
@@ -51,7 +69,29 @@ bool ClearanceModel::has(Clearance kind) const {
 ContactPair ClearanceModel::pair(Clearance of, std::size_t solid, std::size_t other) const {
   const ArmSolid& moved = arm_.solids[solid];
   const int first = of == Clearance::kSelf ? arm_.solids[other].body + 1 : 0;
-  return {of, solid, other, levers(*robot_, moved.placed, moved.body, first)};
+  const JointVector any_way = levers(*robot_, moved.placed, moved.body, first);
+  return {of, solid, other, of == Clearance::kFloor ? floor_levers(any_way) : any_way};
+}
+
+/// Makes the levers of a pair with the floor smaller. Only vertical motion counts: of a turn about an axis,
+/// the part with the sine of the axis' angle to the vertical, and of a slide the part with its cosine. The
+/// angle is known up to the first joint that turns about an axis that is not vertical.
+JointVector ClearanceModel::floor_levers(JointVector lever) const {
+  constexpr double kVertical = 1e-12;
+  Mat3 R = Mat3::Identity();
+  for (int i = 0; i < robot_->n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    R = R * robot_->chain.R_PB0[k];
+    const Vec3 axis = R.col(2);
+    if (robot_->chain.motion[k] == JointMotion::kPrismatic) {
+      lever[i] *= std::abs(axis.dot(up_));
+      continue;
+    }
+    const double sine = axis.cross(up_).norm();
+    lever[i] *= sine;
+    if (sine > kVertical) break;
+  }
+  return lever;
 }
 
 bool ClearanceModel::is_free_at(unsigned fewest, const ContactPair& pair, std::vector<Poses>& sampled) const {
@@ -126,18 +166,8 @@ ClearanceModel ClearanceModel::without_obstacles() const {
 }
 
 Closest ClearanceModel::distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const {
-  const auto placed = [&](const ArmSolid& solid, Mat3& R_0S, Vec3& p_0S) {
-    R_0S = solid.placed.R_BS;
-    p_0S = solid.placed.p_BS;
-    if (solid.body < 0) return;
-    const auto k = static_cast<std::size_t>(solid.body);
-    p_0S = poses.p_0B[k] + poses.R_0B[k] * p_0S;
-    R_0S = poses.R_0B[k] * R_0S;
-  };
   const ArmSolid& solid = arm_.solids[pair.solid];
-  Mat3 R_0S;
-  Vec3 p_0S;
-  placed(solid, R_0S, p_0S);
+  const auto [R_0S, p_0S] = placed(solid, poses);
   if (pair.of == Clearance::kFloor) {
     const Vec3 down = -(R_0S.transpose() * up_);
     Closest found;
@@ -152,10 +182,21 @@ Closest ClearanceModel::distance(const ContactPair& pair, const Poses& poses, co
     return closest(solid.placed.solid, R_0S, p_0S, part.solid, part.R_0S, at);
   }
   const ArmSolid& other = arm_.solids[pair.other];
-  Mat3 R_0O;
-  Vec3 p_0O;
-  placed(other, R_0O, p_0O);
+  const auto [R_0O, p_0O] = placed(other, poses);
   return closest(solid.placed.solid, R_0S, p_0S, other.placed.solid, R_0O, p_0O);
+}
+
+double ClearanceModel::gap(const ContactPair& pair, const Poses& poses, const Vec3& at,
+                           const Vec3& away) const {
+  const ArmSolid& solid = arm_.solids[pair.solid];
+  const double nearest = -support(solid.placed.solid, placed(solid, poses), -away);
+  if (pair.of == Clearance::kFloor) return nearest - *cell_.floor;
+  if (pair.of == Clearance::kCell) {
+    const CellPart& part = cell_.parts[pair.other];
+    return nearest - support(part.solid, {part.R_0S, at}, away);
+  }
+  const ArmSolid& other = arm_.solids[pair.other];
+  return nearest - support(other.placed.solid, placed(other, poses), away);
 }
 
 double ClearanceModel::most_unseen(double period) const {

@@ -60,6 +60,11 @@ class ClearanceModel {
   /// part of the cell, base frame [m]; used only for pairs of the kind kCell.
   Closest distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const;
 
+  /// Returns a lower bound of that distance, at a small part of its cost: the distance of two parallel planes
+  /// between which neither body reaches, negative if there are none. away: their normal, a unit vector from
+  /// the second body to the first, base frame. The bound is the distance itself if `away` is Closest::away.
+  double gap(const ContactPair& pair, const Poses& poses, const Vec3& at, const Vec3& away) const;
+
   /// Distances are computed only at certain times, which are `period` [s] apart. Returns an upper bound [m]
   /// for all pairs of how far a distance can fall between two such times below its smaller value at both of
   /// them. The bound assumes that the joints keep their velocity limits and that the cell rests. If a part of
@@ -77,6 +82,7 @@ class ClearanceModel {
   /// sampled: the arm's poses at the first of these positions. Poses that are needed and missing are added.
   bool is_free_at(unsigned fewest, const ContactPair& pair, std::vector<Poses>& sampled) const;
   ContactPair pair(Clearance of, std::size_t solid, std::size_t other) const;
+  JointVector floor_levers(JointVector lever) const;
 
   std::shared_ptr<const RobotModel> robot_;
   Cell cell_;

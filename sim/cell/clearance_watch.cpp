@@ -7,23 +7,39 @@ namespace armtune::internal {
 
 ClearanceWatch::ClearanceWatch(std::shared_ptr<const ClearanceModel> model,
                                const std::vector<double>& required)
-    : distances_(std::move(model)), by_pair_(distances_.size()) {
+    : distances_(std::move(model)),
+      far_(distances_.size(), distances_.model().cell().parts.size()),
+      spare_(distances_.size()),
+      by_pair_(distances_.size()) {
   for (std::size_t k = 0; k < by_pair_.size(); ++k)
     by_pair_[k].distance = required.empty() ? -std::numeric_limits<double>::infinity() : required.at(k);
 }
 
+double ClearanceWatch::limit(std::size_t k) const {
+  const auto kind = static_cast<std::size_t>(distances_.model().pairs()[k].of);
+  return std::max(least_[kind].distance, by_pair_[k].distance);
+}
+
+void ClearanceWatch::look_at(std::size_t k, double time) {
+  if (distances_.at_least(k, limit(k))) return;
+  const ContactPair& pair = distances_.model().pairs()[k];
+  LeastClearance& least = least_[static_cast<std::size_t>(pair.of)];
+  LeastClearance& of_pair = by_pair_[k];
+  const double distance = distances_.compute(k).distance;
+  // NaN replaces any distance, because a contact cannot be excluded.
+  if (!(distance >= least.distance)) least = {distance, time, &pair};
+  if (!(distance >= of_pair.distance)) of_pair = {distance, time, &pair};
+}
+
 void ClearanceWatch::see(double time, const JointVector& q) {
   distances_.move_to(time, q);
-  const auto& pairs = distances_.model().pairs();
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    LeastClearance& least = least_[static_cast<std::size_t>(pairs[k].of)];
-    LeastClearance& of_pair = by_pair_[k];
-    if (distances_.at_least(k) >= std::max(least.distance, of_pair.distance)) continue;
-    const double distance = distances_.compute(k).distance;
-    // NaN replaces any distance, because a contact cannot be excluded.
-    if (!(distance >= least.distance)) least = {distance, time, &pairs[k]};
-    if (!(distance >= of_pair.distance)) of_pair = {distance, time, &pairs[k]};
+  if (far_.stay_far(distances_)) {
+    for (const std::size_t k : far_.near()) look_at(k, time);
+    return;
   }
+  for (std::size_t k = 0; k < distances_.size(); ++k) look_at(k, time);
+  for (std::size_t k = 0; k < distances_.size(); ++k) spare_[k] = distances_.bound(k) - limit(k);
+  far_.choose(distances_, spare_);
 }
 
 std::vector<LeastClearance> ClearanceWatch::too_near() const {
@@ -59,7 +75,7 @@ void ClearanceNow::see(double time, const JointVector& q) {
     if (k < pairs.size()) look_at(k);
   }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (distances_.at_least(k) < least_[static_cast<std::size_t>(pairs[k].of)].distance) look_at(k);
+    if (!distances_.at_least(k, least_[static_cast<std::size_t>(pairs[k].of)].distance)) look_at(k);
   }
 }
 

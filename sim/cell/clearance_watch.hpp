@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/cell/far_pairs.hpp"
 #include "sim/cell/pair_distances.hpp"
 
 namespace armtune::internal {
@@ -43,7 +44,14 @@ class ClearanceWatch {
   long computed() const { return distances_.computed(); }
 
  private:
+  /// Returns the distance below which pair k is of interest: it would be the smallest of its kind, or smaller
+  /// than before where the pair is too near.
+  double limit(std::size_t k) const;
+  void look_at(std::size_t k, double time);
+
   PairDistances distances_;
+  FarPairs far_;
+  std::vector<double> spare_;  ///< of every pair, for FarPairs::choose
   LeastClearances least_;
   std::vector<LeastClearance> by_pair_;  ///< the smallest distance below the required one; none: no `pair`
 };

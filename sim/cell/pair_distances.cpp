@@ -26,30 +26,62 @@ void PairDistances::move_to(double time, const JointVector& q) {
   beyond_ = !(q.cwiseAbs().array() <= travel_.array()).all();
   placed_ = false;
   // The levers are not valid beyond travel_, nor for the motion back from there.
-  if (beyond_ || was_beyond) {
-    for (Known& known : known_) known.q.resize(0);
-  }
+  levers_hold_ = !(beyond_ || was_beyond);
+  if (levers_hold_) return;
+  for (Known& known : known_) known.q.resize(0);
 }
 
-double PairDistances::at_least(std::size_t k) const {
+void PairDistances::place() {
+  if (!placed_) body_poses(model_->robot().chain, *q_, poses_);
+  placed_ = true;
+}
+
+Vec3 PairDistances::part_of(const ContactPair& pair) const {
+  return pair.of == Clearance::kCell ? parts_[pair.other] : Vec3::Zero();
+}
+
+const Mat3& PairDistances::away_frame(const ContactPair& pair) const {
+  static const Mat3 kBase = Mat3::Identity();
+  if (pair.of != Clearance::kSelf) return kBase;
+  const int body = model_->arm().solids[pair.other].body;
+  return body < 0 ? kBase : poses_.R_0B[static_cast<std::size_t>(body)];
+}
+
+double PairDistances::bound(std::size_t k) const {
   const Known& known = known_[k];
   if (known.q.size() == 0) return -std::numeric_limits<double>::infinity();
   const ContactPair& pair = model_->pairs()[k];
   double lost = pair.lever.dot((*q_ - known.q).cwiseAbs());
   if (pair.of == Clearance::kCell) lost += (parts_[pair.other] - known.at).norm();
-  return known.closest.distance - lost;
+  return known.least - lost;
+}
+
+bool PairDistances::at_least(std::size_t k, double limit) {
+  if (bound(k) >= limit) return true;
+  Known& known = known_[k];
+  if (known.q.size() == 0) return false;
+  place();
+  const ContactPair& pair = model_->pairs()[k];
+  const Vec3 at = part_of(pair);
+  const double gap = model_->gap(pair, poses_, at, away_frame(pair) * known.away);
+  if (!(gap >= limit)) return false;
+  known.least = gap;
+  known.q = *q_;
+  known.at = at;
+  return true;
 }
 
 const Closest& PairDistances::compute(std::size_t k) {
-  if (!placed_) body_poses(model_->robot().chain, *q_, poses_);
-  placed_ = true;
+  place();
   const ContactPair& pair = model_->pairs()[k];
   Known& known = known_[k];
-  known.at = pair.of == Clearance::kCell ? parts_[pair.other] : Vec3::Zero();
+  known.at = part_of(pair);
   known.q = *q_;
-  known.closest = model_->distance(pair, poses_, known.at);
+  closest_ = model_->distance(pair, poses_, known.at);
+  known.least = closest_.distance;
+  known.away = away_frame(pair).transpose() * closest_.away;
   ++computed_;
-  return known.closest;
+  return closest_;
 }
 
 }  // namespace armtune::internal

@@ -131,8 +131,12 @@ class ArmLanes {
 
   /// Adapts theta in the lanes where `adapting` is true.
   virtual void adapt(const bool* adapting) = 0;
-  virtual void theta(int lane, double* theta) const = 0;
-  virtual void replace_theta(int lane, const double* theta) = 0;
+  /// Makes rotor inertia and friction of theta physically valid in the lanes where `projecting` is true, and
+  /// finds the links of these lanes whose parameters are not. invalid: for each lane, bit i for link i.
+  virtual void project(const bool* projecting, std::uint32_t* invalid) = 0;
+  /// Writes the parameters of a link (10) to this address. replace_link_theta() sets others.
+  virtual void link_theta(int lane, int link, double* parameters) const = 0;
+  virtual void replace_link_theta(int lane, int link, const double* parameters) = 0;
 
   /// Computes quantities of the true state. exact: true if the measurement was exact in every lane. The
   /// results for the measured state are then used for the true state as well.

@@ -11,6 +11,7 @@
 #include "core/control/obstacle_distance.hpp"
 #include "core/control/task_resolution.hpp"
 #include "core/robot/forward_dynamics.hpp"
+#include "core/robot/physical_theta.hpp"
 #include "sim/lanes/arm_lanes.hpp"
 #include "sim/lanes/chain_numbers.hpp"
 
@@ -137,8 +138,31 @@ class PackedArm final : public ArmLanes {
     for (int lane = 0; lane < W; ++lane) where[lane] = adapting[lane] ? -1 : 0;
     law_->conclude(period(), where);
   }
-  void theta(int lane, double* theta) const override { get(lane, law_->theta(), theta); }
-  void replace_theta(int lane, const double* theta) override { put(lane, theta, law_->theta()); }
+  void project(const bool* projecting, std::uint32_t* invalid) override {
+    typename T::Mask where{};
+    for (int lane = 0; lane < W; ++lane) {
+      where[lane] = projecting[lane] ? -1 : 0;
+      invalid[lane] = 0;
+    }
+    ParameterVectorT<T>& theta = law_->theta();
+    for (int link = 0; link < chain_.n; ++link) {
+      const LinkParametersT<T> parameters = theta.template segment<kLinkParameters>(link * kLinkParameters);
+      const typename T::Mask valid = positive_definite(pseudo_inertia(parameters));
+      for (int lane = 0; lane < W; ++lane) {
+        if (projecting[lane] && valid[lane] == 0) invalid[lane] |= std::uint32_t{1} << link;
+      }
+    }
+    for (Eigen::Index i = chain_.n * kLinkParameters; i < theta.size(); ++i)
+      theta[i] = select(where, not_negative(theta[i]), theta[i]);
+  }
+  void link_theta(int lane, int link, double* parameters) const override {
+    const T* from = law_->theta().data() + link * kLinkParameters;
+    for (int i = 0; i < kLinkParameters; ++i) parameters[i] = from[i][lane];
+  }
+  void replace_link_theta(int lane, int link, const double* parameters) override {
+    T* to = law_->theta().data() + link * kLinkParameters;
+    for (int i = 0; i < kLinkParameters; ++i) to[i].set(lane, parameters[i]);
+  }
 
   void observe(bool exact) override {
     exact_ = exact;

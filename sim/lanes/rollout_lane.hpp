@@ -1,7 +1,7 @@
 #pragma once
 // Private to rollout_lanes.cpp and lane_drives.cpp: the rollout of one lane, that is, of one of the arms that
-// are simulated at once. Its sensors, its controller
-// except for the law, and its drives are computed arm by arm.
+// are simulated at once. Its sensors, its controller except for the law, and its drives are computed arm by
+// arm.
 
 #include "core/control/laws/arm_torque_law.hpp"
 #include "core/control/laws/plan_reader.hpp"
@@ -21,8 +21,7 @@ struct RolloutLanes::Lane {
         running(*job.scenario, job.gains.slerpAngularErrorThreshold, job.limits,
                 drives ? 0 : job.scenario->scenario.plant.torque_delay_periods, drives ? drives->steps() : 1),
         q(job.scenario->scenario.start_position),
-        qd(running.start_velocity()),
-        theta(job.scenario->theta_start) {
+        qd(running.start_velocity()) {
     logic.output().commanded.setZero(q.size());
     logic.output().reference = {JointVector::Zero(q.size()), JointVector::Zero(q.size())};
     weight.setZero(q.size());
@@ -40,7 +39,6 @@ struct RolloutLanes::Lane {
   RunningRollout running;
   JointVector q, qd;   ///< state of the plant
   JointVector weight;  ///< torque that holds the arm, for the drives
-  ParameterVector theta;
   ArmView view;
   Poses pose;  ///< true pose of the tool
   int period = 0;

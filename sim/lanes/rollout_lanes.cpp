@@ -1,6 +1,7 @@
 #include "sim/lanes/rollout_lanes.hpp"
 
 #include <array>
+#include <bit>
 #include <stdexcept>
 
 #include "armtune/error.hpp"
@@ -211,15 +212,29 @@ void RolloutLanes::act() {
     adapting[static_cast<std::size_t>(l)] = lane->logic.conclude();
   }
   arms_->adapt(adapting.data());
-  for (int l = 0; l < lanes(); ++l) {
-    Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
-    if (lane == nullptr || !adapting[static_cast<std::size_t>(l)]) continue;
-    if (kind_.law != ArmLawKind::kAdaptive || !lane->logic.gains().adaptation_projection) continue;
-    arms_->theta(l, lane->theta.data());
-    project_to_physical(lane->theta);
-    arms_->replace_theta(l, lane->theta.data());
-  }
+  if (kind_.law == ArmLawKind::kAdaptive) project(adapting.data());
   arms_->observe(exact_);
+}
+
+void RolloutLanes::project(const bool* adapting) {
+  std::array<bool, kMostLanes> projecting{};
+  bool some = false;
+  for (std::size_t l = 0; l < lanes_.size(); ++l) {
+    projecting[l] = adapting[l] && lanes_[l]->logic.gains().adaptation_projection;
+    some = some || projecting[l];
+  }
+  if (!some) return;
+  std::array<std::uint32_t, kMostLanes> invalid{};
+  arms_->project(projecting.data(), invalid.data());
+  for (int l = 0; l < lanes(); ++l) {
+    for (std::uint32_t links = invalid[static_cast<std::size_t>(l)]; links != 0; links &= links - 1) {
+      const int link = std::countr_zero(links);
+      LinkParameters parameters;
+      arms_->link_theta(l, link, parameters.data());
+      make_physical(parameters);
+      arms_->replace_link_theta(l, link, parameters.data());
+    }
+  }
 }
 
 void RolloutLanes::move() {
@@ -228,8 +243,8 @@ void RolloutLanes::move() {
   for (int l = 0; l < lanes(); ++l) {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr) continue;
-    Observation& o =
-        lane->running.act(lane->logic.output(), lane->theta, adaptive ? &lane->logic.Kd() : nullptr);
+    Observation& o = lane->running.act(lane->logic.output(), lane->job.scenario->theta_start,
+                                       adaptive ? &lane->logic.Kd() : nullptr);
     Poses& pose = lane->pose;
     if (exact_) {
       pose.R_0T = lane->view.R_0T;

@@ -69,6 +69,9 @@ class RolloutLanes {
   /// Replaces the laws' commands by the torques of the drives that follow them.
   void begin_drives();
   void act();
+  /// Moves theta to physically valid parameters in the lanes where `adapting` is true and whose gains ask for
+  /// it.
+  void project(const bool* adapting);
   void move();
   /// Begins the k-th period of the drives in a control period, in the lanes where `moving` is true. Ends the
   /// control period of arms whose velocities are no longer finite; they stop moving.

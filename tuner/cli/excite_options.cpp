@@ -74,8 +74,8 @@ void add_motion_options(CLI::App& command, ExciteArguments& args) {
   command
       .add_option(
           "--clearance", d.kept.clearance,
-          "least distance of the arm from the floor and the parts of the robot file's cell [m]; links "
-          "keep at least 5 mm from each other, or this distance if it is less; 0: not checked")
+          "least distance of the arm from the floor and the parts of the robot file's cell [m]; two "
+          "links of the arm keep the smaller one of this distance and 5 mm from each other; 0: not checked")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
 }

@@ -81,8 +81,9 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
       "criterion. It alone uses the keys 'global', 'global_share', 'algorithm' and 'constraints' of the\n"
       "study's section 'search'. The steps, engine and seed of the study apply to all searches. The keys\n"
       "'sweep', 'starts' and 'verify_share' are not used. At the end the points of the front are\n"
-      "simulated again, in addition to the budget of evaluations. The front ends where a criterion cannot\n"
-      "improve further unless another one becomes worse than with the start gains.\n\n"
+      "simulated again, in addition to the budget of evaluations. One end of the front is the\n"
+      "minimum of the first criterion. For each other criterion, the end is its minimum while the\n"
+      "remaining criteria are no worse than with the start gains.\n\n"
       "Example:\n  armtune pareto ur10_gaze --criteria gaze/rms "
       "joint_velocity/max_ratio effort_rate/rms --levels 5\n");
   command->callback([args, &exit_code] { exit_code = run_pareto(*args, team()); });

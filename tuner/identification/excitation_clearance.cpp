@@ -54,7 +54,7 @@ void DistanceTally::see(double time, const JointVector& q) {
   distances_->move_to(time, q);
   bool is_near = false;
   for (std::size_t k = 0; k < least_.size(); ++k) {
-    if (distances_->at_least(k) >= least_[k]) continue;
+    if (distances_->at_least(k, least_[k])) continue;
     const double distance = distances_->compute(k).distance;
     if (distance >= least_[k]) continue;
     is_near = true;

@@ -46,7 +46,8 @@ const std::array<MarginField, kMarginCount>& margin_fields() {
        [](const Scenario&) { return 0.0; }, delay_more,
        EdgeSearch{.first = 1.0, .stride = 2.0, .last = 1000.0, .whole = true}},
       {"gain_factor", "1",
-       "largest common factor on task_space_gains_p, task_space_gains_d and the controller's own gains",
+       "largest factor by which task_space_gains_p, task_space_gains_d and the controller's own gains can all "
+       "be multiplied",
        [](const Scenario&) { return 1.0; }, scale_gains, EdgeSearch{.stride = 1.25, .last = 100.0}},
       {"control_rate", "Hz", "lowest control rate; the torque delay stays the same number of control periods",
        rate, set_rate, EdgeSearch{.stride = 0.8, .last = 10.0}},

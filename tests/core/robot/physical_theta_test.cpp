@@ -4,9 +4,12 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
+#include "core/common/pack.hpp"
 #include "tests/core/support/allocation_counter.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
@@ -232,6 +235,33 @@ TEST(ProjectToPhysical, IsThatOfAnEigendecompositionHoweverManyAndSmallTheNegati
     const PseudoInertia expected = by_decomposition(link_of(theta, 0));
     worst.compare(link_of(projected(theta), 0), expected, std::to_string(sample), P.norm());
   }
+}
+
+TEST(PositiveDefinite, IsDecidedForEachOfSeveralArmsAsForOneAlone) {
+  std::mt19937 generator(761);
+  int positive = 0;
+  for (int sample = 0; sample < 400; ++sample) {
+    LinkParametersT<Pack<4>> packed;
+    std::array<LinkParameters, 4> alone;
+    for (int lane = 0; lane < 4; ++lane) {
+      // Barely valid and barely invalid ones among them.
+      LinkParameters link = random_valid(generator, 6).head<kLinkParameters>();
+      link[4] += random_number(generator, -1.0, 0.5) * link[4];
+      if (sample % 7 == lane) link[0] = std::numeric_limits<double>::quiet_NaN();
+      alone[static_cast<std::size_t>(lane)] = link;
+      for (int i = 0; i < kLinkParameters; ++i) packed[i].set(lane, link[i]);
+    }
+    const auto found = positive_definite(pseudo_inertia(packed));
+    for (int lane = 0; lane < 4; ++lane) {
+      const PseudoInertia P = pseudo_inertia(alone[static_cast<std::size_t>(lane)]);
+      const bool expected = P.allFinite() && smallest_eigenvalue(P) > 0.0;
+      EXPECT_EQ(found[lane] != 0, expected);
+      EXPECT_EQ(positive_definite(P), expected);
+      positive += expected ? 1 : 0;
+    }
+  }
+  EXPECT_GT(positive, 300);
+  EXPECT_LT(positive, 1300);
 }
 
 TEST(ProjectToPhysical, AllocatesNothing) {

@@ -102,6 +102,51 @@ TEST(ClearanceModel, TheClosestPointOfTheArmIsOnItsSurface) {
   EXPECT_GT(of_floor, 500);
 }
 
+TEST(ClearanceModel, NoGapIsLargerThanTheDistanceAndThatAlongItIsTheDistance) {
+  std::mt19937 generator(19);
+  int tight = 0;
+  for (const auto& arm : test::shaped_arms()) {
+    const ClearanceModel model(arm, test::busy_cell());
+    for (int sample = 0; sample < 20; ++sample) {
+      const Poses poses = test::poses_at(arm->chain, test::random_configuration(generator, *arm));
+      for (const ContactPair& pair : model.pairs()) {
+        const Vec3 at = test::place_of(model, pair, 0.0);
+        const Closest found = model.distance(pair, poses, at);
+        const auto gap = [&](const Vec3& away) { return model.gap(pair, poses, at, away); };
+        if (pair.of != Clearance::kFloor) {
+          EXPECT_LE(gap(test::random_vec3(generator, 1.0).normalized()), found.distance + 2e-9)
+              << arm->name << ", " << model.name(pair);
+        }
+        EXPECT_LE(gap(found.away), found.distance + 2e-9) << arm->name << ", " << model.name(pair);
+        if (found.distance <= 0.0 && pair.of != Clearance::kFloor) continue;
+        EXPECT_NEAR(gap(found.away), found.distance, 2e-9) << arm->name << ", " << model.name(pair);
+        ++tight;
+      }
+    }
+  }
+  EXPECT_GT(tight, 1000);
+}
+
+TEST(ClearanceModel, ATurnAboutAVerticalAxisChangesNoHeight) {
+  const auto upright = load_robot("ur5e");
+  RobotModel tilted = *upright;
+  tilted.chain.gravity = 9.81 * Vec3(0.6, 0.0, -0.8);
+  const auto largest_lever = [](const std::shared_ptr<const RobotModel>& arm, int joint) {
+    Cell cell;
+    cell.floor = 0.0;
+    const ClearanceModel model(arm, cell);
+    double lever = 0.0;
+    for (const ContactPair& pair : model.pairs()) {
+      if (pair.of == Clearance::kFloor) lever = std::max(lever, pair.lever[joint]);
+    }
+    return lever;
+  };
+  EXPECT_NEAR(largest_lever(upright, 0), 0.0, 1e-12);
+  const auto leaning = std::make_shared<const RobotModel>(tilted);
+  EXPECT_GT(largest_lever(leaning, 0), 0.3);
+  EXPECT_GT(largest_lever(upright, 1), 0.3);
+}
+
 TEST(ClearanceModel, LeavesNeighboursOutAndLinksWhoseShapesMeetByTheirMake) {
   RobotModel arm = test::with_rods(test::seven_joint_arm());
   Shape& big = arm.shapes[5];

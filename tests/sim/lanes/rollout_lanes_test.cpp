@@ -143,6 +143,23 @@ TEST(RolloutLanes, TheExtendedLawDecidesArmByArm) {
   expect_the_same(jobs);
 }
 
+TEST(RolloutLanes, EveryInvalidLinkOfEveryArmIsProjected) {
+  const Scenario scenario = scenario_of("realistic_target_switch", 3.0);
+  Gains quick = load_gains("extended", joint_names(*scenario.robot));
+  quick.adaptation_leakage = quick.adaptation_inertia_leakage = quick.adaptation_filter = 0.0;
+  std::vector<LaneJob> jobs;
+  for (const double gain : {0.3, 1.0, 3.0}) {
+    quick.adaptation_gain = gain;
+    quick.adaptation_projection = true;
+    jobs.push_back(job_of(scenario, quick));
+    quick.adaptation_projection = false;
+    EXPECT_NE(alone(jobs.back()).metrics[Metric::kPositionMax],
+              alone(job_of(scenario, quick)).metrics[Metric::kPositionMax])
+        << "or nothing is projected";
+  }
+  expect_the_same(jobs);
+}
+
 TEST(RolloutLanes, OneThatDivergesOrEndsEarlyLeavesItsNeighboursAlone) {
   const Scenario scenario = scenario_of("moving_target", 5.0);
   std::vector<LaneJob> jobs = candidates(scenario, 4);
