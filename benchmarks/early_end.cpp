@@ -58,7 +58,7 @@ void print(const char* ends, const Outcome& o, const Outcome& whole) {
 }
 
 void compare(const std::vector<std::string>& args) {
-  Study study = load_study(!args.empty() ? args[0] : "benchmarks/studies/ur10_one_arm.yaml");
+  Study study = load_study(!args.empty() ? args[0] : "benchmarks/studies/ur10_gaze_nominal.yaml");
   if (args.size() > 1) study.solver.algorithm = algorithm_from_name(args[1]).name;
   study.global_algorithm.clear();
   if (args.size() > 2) study.max_evaluations = std::stol(args[2]);

@@ -37,22 +37,26 @@ void bind_samples(py::module_& module) {
   module.def(
       "robustness",
       [](const std::vector<Scenario>& scenarios, const Gains& gains, std::uint64_t samples,
-         std::uint64_t seed, const std::map<std::string, double>& perturbation, const std::string& engine,
-         const MaybePath& folder, bool resume, int workers, double deadline, py::object progress) {
-        RobustnessOptions options{text_of(folder),   resume,  samples,  seed, perturbation,
-                                  engine_of(engine), workers, deadline, {}};
+         std::uint64_t seed, const std::map<std::string, double>& perturbation, const MaybePath& distribution,
+         const std::string& engine, const MaybePath& folder, bool resume, int workers, double deadline,
+         py::object progress) {
+        RobustnessOptions options{
+            text_of(folder),   resume,  samples,  seed, perturbation, text_of(distribution),
+            engine_of(engine), workers, deadline, {}};
         return watched(std::move(progress), [&, set = gains](const Watch& watch) {
           options.watch = watch;
           return armtune::robustness(scenarios, set, options);
         });
       },
       py::arg("scenarios"), py::arg("gains"), py::kw_only(), py::arg("samples") = 1000, py::arg("seed") = 1,
-      py::arg("perturbation") = std::map<std::string, double>(), py::arg("engine") = "simbody",
-      py::arg("folder") = py::none(), py::arg("resume") = false, py::arg("workers") = 1,
-      py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
+      py::arg("perturbation") = std::map<std::string, double>(), py::arg("distribution") = py::none(),
+      py::arg("engine") = "simbody", py::arg("folder") = py::none(), py::arg("resume") = false,
+      py::arg("workers") = 1, py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
       "Simulates gains on random arms. perturbation: a dict with the width of each random change. Its keys "
       "are mass, center, inertia, rotor, friction, payload, delay, noise, theta and target_speed. Keys left "
-      "out have default widths.");
+      "out have default widths. distribution: a file with a joint distribution, such as the uncertainty.yaml "
+      "of a calibration, from which friction, rotor inertia, gains of drives, delay, payload, tilt and encoder "
+      "offsets are drawn instead.");
 }
 
 void bind_margins(py::module_& module) {

@@ -22,6 +22,11 @@ struct RobustnessOptions {
   /// default widths. Names: mass, center, inertia, rotor, friction, payload, delay, noise, theta,
   /// target_speed. `armtune robustness --help` explains them.
   std::map<std::string, double> perturbation = {};
+  /// File with a joint distribution, such as the uncertainty.yaml of a calibration, from which friction,
+  /// rotor inertia, gains of drives, delay, payload, tilt and encoder offsets are drawn; empty: none. With
+  /// it, mass, center, inertia and payload are zero by default, and rotor, friction and delay must not be
+  /// given.
+  std::string distribution = {};
   Engine engine = Engine::kSimbody;
   int workers = 1;        ///< threads; results do not depend on it
   double deadline = 0.0;  ///< wall-clock limit of a rollout [s]; 0: 20 s plus twice its simulated duration
@@ -47,8 +52,8 @@ struct Robustness {
   double yield() const;
 };
 
-/// Simulates the gains on random arms. Throws InputError if a width is not valid or the folder is in use;
-/// FailedError if a file cannot be written.
+/// Simulates the gains on random arms. Throws InputError if a width is not valid, the distribution does not
+/// fit the arm or the folder is in use; FailedError if a file cannot be written.
 Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains,
                       const RobustnessOptions& options = {});
 

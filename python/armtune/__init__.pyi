@@ -447,6 +447,7 @@ def robustness(
     samples: int = 1000,
     seed: int = 1,
     perturbation: Mapping[str, float] = {},
+    distribution: _Path | None = None,
     engine: _Engine = "simbody",
     folder: _Path | None = None,
     resume: bool = False,

@@ -24,6 +24,7 @@ struct RolloutLanes::Lane {
         qd(running.start_velocity()) {
     logic.output().commanded.setZero(q.size());
     logic.output().reference = {JointVector::Zero(q.size()), JointVector::Zero(q.size())};
+    running.record(job.series);
     weight.setZero(q.size());
   }
 

@@ -33,6 +33,7 @@ struct LaneJob {
   std::shared_ptr<const PreparedScenario> scenario;
   Gains gains;
   EndLimits limits = {};
+  std::vector<Metric> series = {};  ///< metrics whose series the result shall have (rollout_series.hpp)
 };
 
 class RolloutLanes {

@@ -194,30 +194,6 @@ void MetricAccumulator::add_acceleration(const JointVector& velocity) {
 
 double MetricAccumulator::so_far(Metric m) const {
   switch (m) {
-    case Metric::kPositionXMax:
-      return position_axis_[0].max();
-    case Metric::kPositionYMax:
-      return position_axis_[1].max();
-    case Metric::kPositionZMax:
-      return position_axis_[2].max();
-    case Metric::kPositionMax:
-      return position_.max();
-    case Metric::kOrientationXMax:
-      return orientation_axis_[0].max();
-    case Metric::kOrientationYMax:
-      return orientation_axis_[1].max();
-    case Metric::kOrientationZMax:
-      return orientation_axis_[2].max();
-    case Metric::kOrientationMax:
-      return orientation_.max();
-    case Metric::kLinearVelocityMax:
-      return linear_velocity_.max();
-    case Metric::kAngularVelocityMax:
-      return angular_velocity_.max();
-    case Metric::kGazeMax:
-      return gaze_.max();
-    case Metric::kGazeRateErrorMax:
-      return gaze_rate_.max();
     case Metric::kGazeTimeOutside:
       return gaze_.count() > 0 ? static_cast<double>(periods_outside_) * period_ : NAN;
     case Metric::kJointVelocityMaxRatio:
@@ -236,10 +212,6 @@ double MetricAccumulator::so_far(Metric m) const {
                  : NAN;
     case Metric::kJointJerkMax:
       return instants_ > 2 ? max_acceleration_change_.maxCoeff() * (1.0 / step_) : NAN;
-    case Metric::kJointErrorMax:
-      return joint_error_.max();
-    case Metric::kToolErrorMax:
-      return tool_error_.max();
     case Metric::kObstacleMinClearance:
       return finite_or_nan(min_clearance_);
     case Metric::kClearanceSelf:
@@ -248,8 +220,10 @@ double MetricAccumulator::so_far(Metric m) const {
       return finite_or_nan(least_of(Clearance::kCell, least_).distance);
     case Metric::kClearanceFloor:
       return finite_or_nan(least_of(Clearance::kFloor, least_).distance);
-    default:
-      return NAN;
+    default: {
+      const Spread* spread = only_worsens(m) ? spread_in(*this, m) : nullptr;
+      return spread != nullptr ? spread->max() : NAN;
+    }
   }
 }
 
@@ -257,22 +231,15 @@ Metrics MetricAccumulator::result(double end) {
   Metrics m;
   for (std::size_t i = 0; i < kMetricCount; ++i) {
     const auto metric = static_cast<Metric>(i);
-    if (only_worsens(metric)) m[metric] = so_far(metric);
+    if (only_worsens(metric)) {
+      m[metric] = so_far(metric);
+    } else if (const Spread* spread = spread_of(metric)) {
+      m[metric] = spread->rms();
+    }
   }
-  m[Metric::kPositionRms] = position_.rms();
-  m[Metric::kOrientationRms] = orientation_.rms();
-  m[Metric::kLinearVelocityRms] = linear_velocity_.rms();
-  m[Metric::kAngularVelocityRms] = angular_velocity_.rms();
   m[Metric::kSamples] = static_cast<double>(position_.count());
-  m[Metric::kGazeRms] = gaze_.rms();
-  m[Metric::kGazeRateErrorRms] = gaze_rate_.rms();
   m[Metric::kReacquisitionTime] = reacquisition_.longest(end);
   m[Metric::kJointVelocityMaxRatioTime] = first_ ? NAN : max_ratio_time_;
-  m[Metric::kJointErrorRms] = joint_error_.rms();
-  m[Metric::kToolErrorRms] = tool_error_.rms();
-  m[Metric::kJointEffortRms] = effort_.rms();
-  m[Metric::kEffortRateRms] = effort_rate_.rms();
-  m[Metric::kCompensationErrorRms] = compensation_.rms();
   if (!first_) m.max_ratio_joint = model_.joints[static_cast<std::size_t>(max_ratio_joint_)].name;
   return m;
 }

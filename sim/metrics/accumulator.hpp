@@ -10,6 +10,13 @@
 
 namespace armtune::internal {
 
+/// The values that a series got in one control period.
+struct PeriodSpread {
+  double squares = 0.0;  ///< sum of their squares
+  double largest = NAN;  ///< largest absolute value; NaN if there is none
+  long count = 0;
+};
+
 /// The RMS and the largest absolute value of a series. Both are NaN while it is empty.
 class Spread {
  public:
@@ -17,15 +24,28 @@ class Spread {
     squares_ += x * x;
     max_ = std::max(max_, std::abs(x));
     ++count_;
+    if (!watched_) return;
+    now_.squares += x * x;
+    now_.largest = std::fmax(now_.largest, std::abs(x));
+    ++now_.count;
   }
   double rms() const { return count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : NAN; }
   double max() const { return count_ > 0 ? max_ : NAN; }
   long count() const { return count_; }
+  /// Keeps the values from now on in now() too, until the next call.
+  void begin_period() {
+    watched_ = true;
+    now_ = {};
+  }
+  /// Returns the values since the last call of begin_period().
+  const PeriodSpread& now() const { return now_; }
 
  private:
   double squares_ = 0.0;
   double max_ = 0.0;
   long count_ = 0;
+  bool watched_ = false;
+  PeriodSpread now_;
 };
 
 /// Measures the time from each event until a value stays below a threshold, and keeps the longest of these
@@ -73,6 +93,9 @@ class MetricAccumulator {
   void aim_at_nothing() { aims_ = false; }
 
   void add(const Observation& o);
+  /// Returns the series of a metric that is an RMS or a largest absolute value, and for the reacquisition
+  /// time that of the gaze angle; null for all other metrics.
+  Spread* spread_of(Metric m) { return spread_in(*this, m); }
   /// Returns the value so far of a metric that only worsens. It is NaN before the metric has a value, and for
   /// all other metrics.
   double so_far(Metric m) const;
@@ -80,6 +103,56 @@ class MetricAccumulator {
   Metrics result(double end);
 
  private:
+  template <typename Self>
+  static auto spread_in(Self& self, Metric m) -> decltype(&self.position_) {
+    switch (m) {
+      case Metric::kPositionXMax:
+        return &self.position_axis_[0];
+      case Metric::kPositionYMax:
+        return &self.position_axis_[1];
+      case Metric::kPositionZMax:
+        return &self.position_axis_[2];
+      case Metric::kPositionRms:
+      case Metric::kPositionMax:
+        return &self.position_;
+      case Metric::kOrientationXMax:
+        return &self.orientation_axis_[0];
+      case Metric::kOrientationYMax:
+        return &self.orientation_axis_[1];
+      case Metric::kOrientationZMax:
+        return &self.orientation_axis_[2];
+      case Metric::kOrientationRms:
+      case Metric::kOrientationMax:
+        return &self.orientation_;
+      case Metric::kLinearVelocityRms:
+      case Metric::kLinearVelocityMax:
+        return &self.linear_velocity_;
+      case Metric::kAngularVelocityRms:
+      case Metric::kAngularVelocityMax:
+        return &self.angular_velocity_;
+      case Metric::kGazeRms:
+      case Metric::kGazeMax:
+      case Metric::kReacquisitionTime:
+        return &self.gaze_;
+      case Metric::kGazeRateErrorRms:
+      case Metric::kGazeRateErrorMax:
+        return &self.gaze_rate_;
+      case Metric::kJointErrorRms:
+      case Metric::kJointErrorMax:
+        return &self.joint_error_;
+      case Metric::kToolErrorRms:
+      case Metric::kToolErrorMax:
+        return &self.tool_error_;
+      case Metric::kJointEffortRms:
+        return &self.effort_;
+      case Metric::kEffortRateRms:
+        return &self.effort_rate_;
+      case Metric::kCompensationErrorRms:
+        return &self.compensation_;
+      default:
+        return nullptr;
+    }
+  }
   void add_gaze(const Observation& o, bool switched);
   void add_tracking(const Observation& o);
   void add_limits(const Observation& o);

@@ -14,7 +14,8 @@ Rollout::Rollout(const Scenario& scenario, Stepper stepper, Engine engine)
 Rollout::Rollout(std::shared_ptr<const PreparedScenario> prepared, Stepper stepper, Engine engine)
     : prepared_(std::move(prepared)), plant_(make_plant(prepared_->plant, stepper, engine)) {}
 
-RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const EndLimits& limits) {
+RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const EndLimits& limits,
+                           const std::vector<Metric>& series) {
   const FlushDenormals flush;
   const Scenario& scenario = prepared_->scenario;
   const PlantConditions& conditions = scenario.plant;
@@ -24,6 +25,7 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
   RunningRollout running(*prepared_, gains.slerpAngularErrorThreshold, limits,
                          controller.has_drives() ? 0 : conditions.torque_delay_periods,
                          controller.drive_steps());
+  running.record(series);
   // The arm takes whole steps in each period of the drives, and without drives in each control period.
   const int held = steps_in(scenario.control_period / controller.drive_steps(), conditions.rate);
   const int steps = controller.drive_steps() * held;

@@ -23,8 +23,10 @@ class Rollout {
   /// Simulates the scenario from its start with these gains (valid for its robot). Nothing carries over from
   /// an earlier run. Divergence is a status, not an exception. limits: metrics that can only become worse
   /// during a rollout, such as a maximum, and the values at which they end the rollout. Without limits, the
-  /// rollout runs to the end. Until the rollout ends, limits have no effect on it.
-  RolloutResult run(const Gains& gains, const Observer& observer = {}, const EndLimits& limits = {});
+  /// rollout runs to the end. Until the rollout ends, limits have no effect on it. series: metrics whose
+  /// series the result shall have (rollout_series.hpp).
+  RolloutResult run(const Gains& gains, const Observer& observer = {}, const EndLimits& limits = {},
+                    const std::vector<Metric>& series = {});
 
   const Scenario& scenario() const { return prepared_->scenario; }
 

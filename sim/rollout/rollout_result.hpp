@@ -7,6 +7,7 @@
 
 #include "sim/metrics/metric.hpp"
 #include "sim/metrics/observation.hpp"
+#include "sim/metrics/rollout_series.hpp"
 
 namespace armtune::internal {
 
@@ -39,6 +40,7 @@ struct RolloutResult {
   double end_time = 0.0;  ///< simulated time since the start of the rollout [s]
   std::string reason;     ///< when, where and why it ended; empty if completed
   Metrics metrics;        ///< over all periods up to the end
+  RolloutSeries series;   ///< those that were asked for, up to the end
 };
 
 /// A function that is called once per control period, after the controller and before the plant (the

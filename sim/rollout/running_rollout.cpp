@@ -26,8 +26,11 @@ RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshol
     : prepared_(prepared),
       scenario_(prepared.scenario),
       limits_(limits),
+      threshold_(threshold),
       periods_(scenario_.periods()),
-      sensors_(scenario_.plant.position_noise, scenario_.plant.velocity_noise, scenario_.seed),
+      drive_steps_(drive_steps),
+      sensors_(scenario_.plant.position_noise, scenario_.plant.velocity_noise, scenario_.seed,
+               scenario_.plant.encoder_offset),
       camera_(scenario_),
       delay_(scenario_.robot->n(), torque_delay),
       metrics_(*scenario_.robot, threshold, scenario_.control_period),
@@ -48,6 +51,10 @@ RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshol
     cell_.emplace(scenario_.clearance);
     observation_.cell = &*cell_;
   }
+}
+
+void RunningRollout::record(const std::vector<Metric>& metrics) {
+  if (!metrics.empty()) series_.emplace(metrics, scenario_, threshold_, metrics_);
 }
 
 JointVector RunningRollout::start_velocity() const {
@@ -97,6 +104,7 @@ bool RunningRollout::judge(const Observer& observer) {
   if (cell_) cell_->see(observation_.time, *observation_.q);
   const Observation& o = observation_;
   metrics_.add(o);
+  if (series_) series_->add(o, scenario_.control_period / drive_steps_);
   if (response_) response_->add(o);
   if (goal_) goal_->add(o.time, *o.q);
   if (observer && !observer(o)) {
@@ -131,6 +139,7 @@ void RunningRollout::moved(const JointVector& q, const JointVector& qd, const st
 RolloutResult RunningRollout::result() {
   result_.end_time = k_ * scenario_.control_period;
   result_.metrics = metrics_.result(scenario_.start_time + result_.end_time);
+  if (series_) result_.series = std::move(*series_).take();
   if (response_) response_->write(result_.metrics);
   if (goal_) goal_->write(scenario_.start_time + result_.end_time, result_.metrics);
   if (result_.status == RolloutStatus::kCompleted && !scenario_.planned &&

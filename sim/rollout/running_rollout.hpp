@@ -14,6 +14,7 @@
 #include "core/common/delay_line.hpp"
 #include "sim/metrics/accumulator.hpp"
 #include "sim/metrics/goal_watch.hpp"
+#include "sim/metrics/series_recorder.hpp"
 #include "sim/metrics/stimulus_response.hpp"
 #include "sim/plant/sensors.hpp"
 #include "sim/plant/target_camera.hpp"
@@ -33,6 +34,9 @@ class RunningRollout {
                  int torque_delay, int drive_steps = 1);
   RunningRollout(const RunningRollout&) = delete;  // its parts refer to each other
   RunningRollout& operator=(const RunningRollout&) = delete;
+
+  /// Records the series behind these metrics. Call it before the first period; an empty list records nothing.
+  void record(const std::vector<Metric>& metrics);
 
   /// Returns the joint velocities q' (n) at the start.
   JointVector start_velocity() const;
@@ -77,7 +81,9 @@ class RunningRollout {
   const PreparedScenario& prepared_;
   const Scenario& scenario_;
   const EndLimits& limits_;
+  double threshold_;  ///< gaze error below which a target counts as reached [rad]
   int periods_;
+  int drive_steps_;
   Sensors sensors_;
   TargetCamera camera_;
   DelayLine delay_;
@@ -86,6 +92,7 @@ class RunningRollout {
   std::optional<StimulusResponse> response_;
   std::optional<GoalWatch> goal_;
   std::optional<ClearanceWatch> cell_;
+  std::optional<SeriesRecorder> series_;
   JointState measured_;
   std::vector<DriveInstant> between_;  ///< since the last call of judge()
   JointState between_measured_;

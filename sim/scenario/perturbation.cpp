@@ -8,6 +8,7 @@
 
 #include "armtune/error.hpp"
 #include "core/robot/rotor_estimate.hpp"
+#include "sim/scenario/arm_distribution.hpp"
 #include "sim/scenario/uniform.hpp"
 
 namespace armtune::internal {
@@ -19,7 +20,7 @@ constexpr std::uint64_t kMoreDraws = 0x9E3779B97F4A7C15U;
 
 class Draw {
  public:
-  Draw(std::uint64_t seed, std::uint64_t sample) : generator_(seeded(seed, sample)) {}
+  Draw(std::uint64_t seed, std::uint64_t sample) : generator_(generator_of(seed, sample)) {}
   std::uint64_t bits() { return generator_(); }
   double between(double lower, double upper) { return uniform(generator_, lower, upper); }
   /// Returns n factors in [1 - width, 1 + width].
@@ -30,12 +31,6 @@ class Draw {
   }
 
  private:
-  static std::uint32_t low(std::uint64_t value) { return static_cast<std::uint32_t>(value & 0xFFFFFFFFU); }
-  static std::uint32_t high(std::uint64_t value) { return static_cast<std::uint32_t>(value >> 32U); }
-  static std::mt19937_64 seeded(std::uint64_t seed, std::uint64_t sample) {
-    std::seed_seq sequence{low(seed), high(seed), low(sample), high(sample)};
-    return std::mt19937_64(sequence);
-  }
   std::mt19937_64 generator_;
 };
 
@@ -59,24 +54,26 @@ JointVector rotor_factors(const RobotModel& robot, JointVector drawn, double wid
 
 std::span<const PerturbationField> perturbation_fields() {
   using P = Perturbation;
+  using enum BesideDistribution;
   constexpr double kAny = 1e6;
   static constexpr PerturbationField fields[] = {
       {"mass", "1", "+- relative change of each link's mass, first moment and inertia, by one common factor",
-       &P::mass, 1.0, false},
-      {"center", "m", "+- change of each coordinate of each link's centre of mass", &P::center, kAny, true},
+       &P::mass, 1.0, false, kZero},
+      {"center", "m", "+- change of each coordinate of each link's centre of mass", &P::center, kAny, true,
+       kZero},
       {"inertia", "1", "+- relative change of each link's inertia about its centre of mass", &P::inertia, 1.0,
-       false},
+       false, kZero},
       {"rotor", "1",
        "+- relative change of each rotor inertia that the robot file does not mark as estimated. Estimated "
        "ones vary by a factor of 1/3 to 3",
-       &P::rotor, 1.0, false},
+       &P::rotor, 1.0, false, kReplaced},
       {"friction", "1", "+- relative change of each joint's friction in the scenario", &P::friction, 1.0,
-       true},
+       true, kReplaced},
       {"payload", "kg", "largest random payload (point mass at the tool); 0 keeps the scenario's payload",
-       &P::payload, kAny, true},
+       &P::payload, kAny, true, kZero},
       {"delay", "periods",
        "largest random extra delay of torques, or of commands to drives; must be a whole number", &P::delay,
-       kMostDelay, true},
+       kMostDelay, true, kReplaced},
       {"noise", "1", "+- relative change of the sensors' noise", &P::noise, 1.0, true},
       {"theta", "1",
        "+- relative error of the controller's model of the arm (theta) at the start, for the parameters of each "
@@ -97,6 +94,13 @@ Perturbation default_perturbation(std::span<const Scenario> scenarios) {
   return perturbation;
 }
 
+void draw_from(std::shared_ptr<const ArmDistribution> distribution, Perturbation& perturbation) {
+  for (const PerturbationField& field : perturbation_fields()) {
+    if (field.beside != BesideDistribution::kKept) perturbation.*field.width = 0.0;
+  }
+  perturbation.distribution = std::move(distribution);
+}
+
 Perturbation no_perturbation() {
   Perturbation none;
   for (const PerturbationField& field : perturbation_fields()) none.*field.width = 0.0;
@@ -113,6 +117,14 @@ void validate(const Perturbation& perturbation, const std::string& where) {
                      fmt::format("{} is {}; it must lie {}. Unit: {}; meaning: {}", f.name, width, limit,
                                  f.unit, f.meaning))
         .with_value(fmt::to_string(width), limit);
+  }
+  for (const PerturbationField& f : perturbation_fields()) {
+    const double width = perturbation.*f.width;
+    if (!perturbation.distribution || f.beside != BesideDistribution::kReplaced || width == 0.0) continue;
+    throw InputError(InputPlace{.key = fmt::format("{}/{}", where, f.name)},
+                     fmt::format("{} is {}, but arms are drawn from the distribution in {}; leave {} out",
+                                 f.name, width, perturbation.distribution->file, f.name))
+        .with_value(fmt::to_string(width), "0 with a distribution");
   }
   if (perturbation.delay != std::floor(perturbation.delay)) {
     throw InputError(
@@ -160,6 +172,8 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   }
   const double delay = more.between(0.0, perturbation.delay + 1.0);
   plant.torque_delay_periods += static_cast<int>(delay);
+  if (const ArmDistribution* fitted = perturbation.distribution.get())
+    give_parameters(*fitted, drawn_parameters(*fitted, seed, sample), result);
   const double noise = more.between(1.0 - perturbation.noise, 1.0 + perturbation.noise);
   plant.position_noise *= noise;
   plant.velocity_noise *= noise;

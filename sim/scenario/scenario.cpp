@@ -107,7 +107,7 @@ double Scenario::next_switch(double t) const {
 }
 
 RobotModel plant_model(const Scenario& scenario) {
-  RobotModel bare = *scenario.robot;
+  RobotModel bare = scenario.plant.arm ? *scenario.plant.arm : *scenario.robot;
   apply_factors(scenario.plant, bare.chain);
   RobotModel plant = with_payload(bare, scenario.plant.payload);
   if (scenario.plant.viscous_friction.size() > 0) {

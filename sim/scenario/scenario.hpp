@@ -62,6 +62,9 @@ struct PlantConditions {
   JointVector inertia_factors;   ///< further factor on inertia about the centre of mass; n or empty (all 1)
   Eigen::Matrix3Xd center_offsets;  ///< of each link's centre of mass, link frame [m]; 3 x n or empty (all 0)
   JointVector rotor_factors;        ///< factor on each joint's rotor inertia; n or empty (all 1)
+  JointVector encoder_offset;       ///< true minus measured positions [rad, m]; n or empty (all 0)
+  /// The simulated arm before factors, payload and friction of this struct. Null: the robot's model.
+  std::shared_ptr<const RobotModel> arm;
 };
 
 /// The camera that measures the positions of the gaze targets. The controller estimates their motion from
@@ -138,8 +141,8 @@ Scenario load_scenario(const std::string& name_or_path);
 /// throws InputError.
 Gains with_goal(Gains gains, const Scenario& scenario);
 
-/// Returns the model of the simulated arm: the robot's model with the factors of `plant` applied, then
-/// payload and friction added.
+/// Returns the model of the simulated arm: the robot's model, or `plant.arm`, with the factors of `plant`
+/// applied, then payload and friction added.
 RobotModel plant_model(const Scenario& scenario);
 
 /// Returns the theta (13 n) with which the controller starts.

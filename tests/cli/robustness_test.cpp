@@ -12,7 +12,10 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/cli/support/refused_command.hpp"
 #include "tests/core/support/refused_at.hpp"
+#include "tests/sim/support/arm_distributions.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/tuner/run/support/records.hpp"
+#include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
 namespace robustness_test {
@@ -100,6 +103,24 @@ TEST(Robustness, WhatIsFinishedIsOnDiskWheneverItIsKilled) {
   EXPECT_LT(rows(), 1000);
 }
 
+TEST(Robustness, DrawsArmsFromTheDistributionOfAFileAndSaysSo) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("uncertainty.yaml", test::kSmallDistribution);
+  const Finished done =
+      robustness(folder, short_scenario(folder), "drawn", {"--samples", "2", "--distribution", file});
+  ASSERT_THAT(done.exit_code, testing::AnyOf(0, 3)) << done.err;
+  const RunRecord record = find_run_record(folder / "drawn").value();
+  ASSERT_TRUE(record.distribution);
+  EXPECT_EQ(record.distribution->file, file);
+  EXPECT_EQ(record.distribution->drawn.size(), 4U);
+  EXPECT_THAT(record.distribution->not_drawn, testing::IsEmpty());
+  EXPECT_THAT(record.distribution->not_told, testing::ElementsAre("elbow_joint/viscous_friction"));
+  EXPECT_EQ(test::input_in(record, file).hash, hash_of_file(file));
+  EXPECT_THAT(test::read_text(folder / "drawn/samples.csv"), HasSubstr("distribution/payload/mass"));
+  const auto verdict = yaml::parse_file(folder / "drawn/verdict.yaml");
+  EXPECT_THAT(verdict.find("assumes")->as_strings(), testing::Contains(HasSubstr(file)));
+}
+
 TEST(Robustness, BadInputEndsWithTwo) {
   const test::TemporaryFolder folder;
   const std::string scenario = short_scenario(folder);
@@ -110,6 +131,13 @@ TEST(Robustness, BadInputEndsWithTwo) {
   EXPECT_THAT(refused("--mass", "1.5"),
               test::refused_at({.key = "perturbation/mass", .value = "1.5", .limit = "in [0, 1)"}));
   EXPECT_THAT(refused("--limit", "speed<=1"), test::refused_at({.key = "limit", .value = "speed"}));
+  const std::string file = folder.write("uncertainty.yaml", test::kSmallDistribution);
+  EXPECT_THAT(test::refused_command({"robustness", "extended_tuned", "--scenarios", scenario, "--out",
+                                     folder / "limit", "--distribution", file, "--friction", "0.25"}),
+              test::refused_at({.key = "perturbation/friction", .value = "0.25"}));
+  const std::string wrong = folder.write("wrong.yaml", "parameters: [{name: knee/delay, mean: 0}]\n");
+  EXPECT_THAT(refused("--distribution", wrong.c_str()),
+              test::refused_at({.file = wrong, .key = "parameters/0/name", .value = "knee/delay"}));
   EXPECT_FALSE(std::filesystem::exists(folder / "limit"));
 }
 

@@ -29,7 +29,9 @@ constexpr Kind kKinds[] = {{"verdict.yaml"},
                            {"motion.csv", {"errors.csv", "evaluations.csv"}, RunKind::kPlan},
                            {"limits.csv", {"errors.csv", "evaluations.csv"}, RunKind::kPlan},
                            {"residuals.csv", {"errors.csv", "evaluations.csv"}, RunKind::kValidate},
-                           {"horizons.csv", {"errors.csv", "evaluations.csv"}, RunKind::kValidate}};
+                           {"horizons.csv", {"errors.csv", "evaluations.csv"}, RunKind::kValidate},
+                           {"parameters.csv", {"errors.csv", "evaluations.csv"}, RunKind::kCalibrate},
+                           {"held_out.csv", {"errors.csv", "evaluations.csv"}, RunKind::kCalibrate}};
 
 /// Returns a record with the facts that the pages of the other kinds of runs need.
 std::string record_of(RunKind kind) {
@@ -40,6 +42,7 @@ std::string record_of(RunKind kind) {
   run.robustness.emplace().limits = {{"gaze/rms", true, 0.1}, {"joint_velocity/max_ratio", true, 1.0}};
   run.plan.emplace().headline = "0.1 s is the least time";
   run.validation.emplace().headline = "the arm matches the log";
+  run.calibration.emplace().headline = "the error fell by 80 %";
   return run_record_json(run);
 }
 

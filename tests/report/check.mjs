@@ -71,7 +71,7 @@ async function checkReport(browser, file, out, { quiet, paintLimit }, attempt) {
     else expect(paint !== null && paint <= paintLimit, `the verdict is painted after ${paint?.toFixed(0)} ms, at most ${paintLimit}`);
     const all = { browser, page, data, address, file, folder, out, expect, pictures };
     await part("drawn", () => checkDrawn(all));
-    // A validation has no rollouts, and so no replay and no time that its plots share.
+    // A validation or a calibration has no rollouts, and so no replay and no time that its plots share.
     const moves = tabsOf(data).length > 0;
     if (moves) await part("replay", () => checkReplay(all));
     if (moves) await part("plots", () => checkPlots(all));

@@ -164,7 +164,7 @@ TEST(CommittedFront, HasNoPointThatAnotherDominatesAndDominatesThePublishedGains
   }
   EXPECT_GE(better, 12U);
   // Its ends and its middle, from the gains beside it.
-  const Judge judge(test::source_dir() + "/benchmarks/studies/ur10_one_arm.yaml");
+  const Judge judge(test::source_dir() + "/benchmarks/studies/ur10_gaze_nominal.yaml");
   for (const std::size_t i : {std::size_t{0}, front.size() / 2, front.size() - 1}) {
     const Evaluation e = judge.judged(folder + "/" + point_file(i));
     EXPECT_TRUE(e.feasible);

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "armtune/error.hpp"
+#include "tuner/validation/motion_windows.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -19,6 +21,9 @@ constexpr int kShortIterations = 8;  ///< of the first phase, which need not con
 /// Spread above which a parameter keeps the value of the robot file, because the log says next to nothing
 /// about it.
 constexpr double kUnseen = 0.9;
+/// A judgement at shorter horizons would say nothing beyond the fit, whose windows have this length [s].
+constexpr double kLeastHorizon = kLongWindow;
+constexpr double kSameRate = 0.1;  ///< largest relative difference between the rates of two logs
 /// Share of the fall direction that a joint's axis must have for gravity not to act about it.
 constexpr double kVertical = 0.999;
 
@@ -36,6 +41,22 @@ constexpr std::array<NeedText, 7> kNeeds = {{
     {"outside", "no motion of the arm tells it; measure it with an instrument outside the arm"},
 }};
 
+/// Throws if no held-out window is long enough to judge the result.
+void check_held_out(std::span<const CommandedLog> logs) {
+  double longest = 0.0;
+  for (const auto& [log, commands] : logs) {
+    for (const LogWindow& w : window_plan(log, known_commands(commands)).held_out)
+      longest = std::max(longest, log.time[static_cast<std::size_t>(w.first + w.count - 1)] -
+                                      log.time[static_cast<std::size_t>(w.first)]);
+  }
+  if (longest >= kStartTime + kLeastHorizon) return;
+  const JointLog& log = logs.front().log;
+  throw InputError(InputPlace{log.source, 0, "time"},
+                   {"the log is too short to judge a calibration on a part that is not fitted; record a "
+                    "longer one",
+                    fmt::format("{:.4g} s", log.time.back() - log.time.front()), "20 s without gaps"});
+}
+
 void check_logs(const RobotModel& model, std::span<const CommandedLog> logs) {
   if (logs.empty())
     throw InputError(InputPlace{.key = "logs"}, {"there is no log to calibrate from", "0", "at least 1"});
@@ -51,7 +72,15 @@ void check_logs(const RobotModel& model, std::span<const CommandedLog> logs) {
       throw InputError(InputPlace{log.source, 0, "commands"},
                        {"the logs have different kinds of commands; calibrate each kind alone",
                         name(commands.kind), name(first)});
+    const double period = median_step(commands.time);
+    const double first_period = median_step(logs.front().commands.time);
+    if (std::abs(period - first_period) > kSameRate * first_period)
+      throw InputError(
+          InputPlace{log.source, 0, "command time"},
+          {"the logs have commands at different rates; calibrate each rate alone",
+           fmt::format("{:.4g} Hz", 1.0 / period), fmt::format("{:.4g} Hz", 1.0 / first_period)});
   }
+  check_held_out(logs);
 }
 
 /// True if gravity does not act about the first joint, so that no motion shows its zero position.
@@ -112,6 +141,7 @@ FittedParameter fitted(const Chain& chain, const CalibrationParameter& p, double
   found.high = p.value(z + kQuantile * deviation);
   found.spread = deviation;
   found.told = deviation <= told;
+  found.kept = deviation > kUnseen;
   if (!found.told) found.need = need_of(chain, p);
   return found;
 }
@@ -130,7 +160,9 @@ Calibration calibrate(const RobotModel& model, std::span<const CommandedLog> log
                       const CalibrationOptions& options) {
   check_logs(model, logs);
   const MotionCommands& commands = logs.front().commands;
+  const auto stopped = [&options] { return options.stop != nullptr && *options.stop; };
   Calibration found;
+  found.commands = commands.kind;
   found.noise = noise_of(logs);
   const ShootingArm nominal = shooting_arm(model);
   WindowModel windows(model, nominal, commands, calibration_parameters(model, commands.kind, options.priors),
@@ -145,12 +177,15 @@ Calibration calibrate(const RobotModel& model, std::span<const CommandedLog> log
     ShootingFitOptions fit;
     if (!last) fit.most_iterations = kShortIterations;
     fit.with_covariance = last;
+    fit.stop = options.stop;
     if (options.progress)
       fit.progress = [&](int i, double objective) {
         options.progress(last ? "long" : "short", i, objective);
       };
     found.fit = fit_windows(windows, shots, found.noise, found.z, fit);
     found.z = found.fit.z;
+    found.interrupted = stopped();
+    if (found.interrupted) return found;
   }
   found.covariance = found.fit.covariance;
   std::vector<CalibrationParameter> seen;
@@ -159,7 +194,7 @@ Calibration calibrate(const RobotModel& model, std::span<const CommandedLog> log
     const auto k = static_cast<Eigen::Index>(i);
     const double spread = std::sqrt(found.covariance(k, k));
     found.parameters.push_back(fitted(model.chain, parameters[i], found.z[k], spread, options.told));
-    if (spread > kUnseen) continue;
+    if (found.parameters.back().kept) continue;
     seen.push_back(parameters[i]);
     seen_z.push_back(found.z[k]);
   }

@@ -5,6 +5,8 @@
 //     const Calibration found = calibrate(*load_robot("ur5e"), logs);
 //     write(calibrated_robot_yaml(*load_robot("ur5e"), found, "robot.urdf"));
 
+#include <atomic>
+
 #include "tuner/calibration/held_out_error.hpp"
 
 namespace armtune::internal {
@@ -32,6 +34,8 @@ struct FittedParameter {
   double high = 0.0;
   double spread = 1.0;  ///< standard deviation after the fit, relative to the prior's
   bool told = false;    ///< true if the log tells it: the spread is at most CalibrationOptions::told
+  /// True if the calibrated arm keeps the robot file's value, because the log says next to nothing about it.
+  bool kept = false;
   CalibrationNeed need = CalibrationNeed::kNone;
 };
 
@@ -39,9 +43,12 @@ struct CalibrationOptions {
   CalibrationPriors priors;
   double told = 0.5;  ///< largest spread of a parameter that the log tells
   std::function<void(const char* phase, int iteration, double objective)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< true: calibrate() returns soon; must outlive the call
 };
 
 struct Calibration {
+  CommandKind commands = CommandKind::kTorque;  ///< that moved the arm in the logs
+  bool interrupted = false;                     ///< true: stopped early, and the other members are incomplete
   std::vector<FittedParameter> parameters;
   Eigen::VectorXd z;           ///< of all parameters, standardised (calibration_parameters.hpp)
   Eigen::MatrixXd covariance;  ///< of z
@@ -54,8 +61,8 @@ struct Calibration {
 };
 
 /// Calibrates a model. All logs have the same kind of commands at the same rate. Throws InputError if there
-/// is no log, if a log or its commands are malformed or too short, or if commands are references of a
-/// controller.
+/// is no log, if a log or its commands are malformed, if commands are references of a controller, if kinds or
+/// rates differ, or if no held-out window reaches half a second ahead.
 Calibration calibrate(const RobotModel& model, std::span<const CommandedLog> logs,
                       const CalibrationOptions& options = {});
 

@@ -19,6 +19,27 @@ bool has_kind(const Calibration& found, ParameterKind kind) {
   return false;
 }
 
+/// True if the calibrated arm has a fitted value of this kind for the joint; -1: for any joint.
+bool is_fitted(const Calibration& found, ParameterKind kind, int joint = -1) {
+  for (const FittedParameter& p : found.parameters)
+    if (p.prior.kind == kind && !p.kept && (joint < 0 || p.prior.joint == joint)) return true;
+  return false;
+}
+
+/// True if robot.yaml has a value of this kind, or contains it in another one.
+bool is_in_robot_file(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::kTorqueFactor:
+    case ParameterKind::kDelay:
+    case ParameterKind::kTiltX:
+    case ParameterKind::kTiltY:
+    case ParameterKind::kEncoderOffset:
+      return false;
+    default:
+      return true;
+  }
+}
+
 }  // namespace
 
 RobotModel calibrated_model(const RobotModel& model, const Calibration& found) {
@@ -28,7 +49,16 @@ RobotModel calibrated_model(const RobotModel& model, const Calibration& found) {
   calibrated.chain.coulomb_friction = fitted.chain.coulomb_friction;
   calibrated.chain.rotor_inertia = fitted.chain.rotor_inertia;
   calibrated.chain.link = fitted.chain.link;
-  calibrated.estimated_rotors.clear();
+  std::erase_if(calibrated.estimated_rotors, [&](const std::string& joint) {
+    return is_fitted(found, ParameterKind::kRotorInertia, model.joint_index(joint));
+  });
+  // The robot file's mark says nothing about fitted values.
+  const auto unmark = [&found](ParameterKind kind, ValueSource& source) {
+    if (is_fitted(found, kind)) source = ValueSource::kGiven;
+  };
+  unmark(ParameterKind::kRotorInertia, calibrated.rotor_source);
+  unmark(ParameterKind::kViscousFriction, calibrated.viscous_source);
+  unmark(ParameterKind::kCoulombFriction, calibrated.coulomb_source);
   if (has_kind(found, ParameterKind::kVelocityGain)) {
     calibrated.drive_velocity_gain = fitted.drive_velocity_gain;
     calibrated.drive_velocity_integral = fitted.drive_velocity_integral;
@@ -59,8 +89,9 @@ std::string calibrated_robot_yaml(const RobotModel& model, const Calibration& fo
 std::string uncertainty_yaml(const Calibration& found) {
   std::string text =
       "# Joint distribution of the parameters that were calibrated: normal, with these means and this covariance.\n"
-      "# If `logarithm` is true, the distribution is that of the value's natural logarithm.\n"
-      "parameters:\n";
+      "# If `logarithm` is true, the distribution is that of the value's natural logarithm.\n";
+  if (found.commands == CommandKind::kPosition) text += "note: " + yaml::quoted(kNarrowIntervals) + '\n';
+  text += "parameters:\n";
   const auto n = static_cast<Eigen::Index>(found.parameters.size());
   Eigen::VectorXd deviation(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -72,6 +103,8 @@ std::string uncertainty_yaml(const Calibration& found) {
     text +=
         fmt::format("    value: {}\n    interval: [{}, {}]\n    told: {}\n", p.value, p.low, p.high, p.told);
     if (!p.told) text += fmt::format("    needs: {}  # {}\n", name(p.need), meaning(p.need));
+    if (is_in_robot_file(p.prior.kind))
+      text += fmt::format("    robot_file: {}\n", p.kept ? p.prior.nominal : p.value);
   }
   text += "covariance:\n";
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -38,12 +38,14 @@ struct WindowEquations {
 
 class ShootingProblem {
  public:
-  ShootingProblem(WindowModel& model, std::vector<ShotWindow>& windows, const Eigen::VectorXd& noise)
-      : model_(model), windows_(windows), noise_(noise), equations_(windows.size()) {
+  ShootingProblem(WindowModel& model, std::vector<ShotWindow>& windows, const Eigen::VectorXd& noise,
+                  const std::atomic<bool>* stop)
+      : model_(model), windows_(windows), noise_(noise), equations_(windows.size()), stop_(stop) {
     scale_ = Eigen::VectorXd::Ones(model.joints());
   }
 
   const Eigen::VectorXd& scale() const { return scale_; }
+  bool stopped() const { return stop_ != nullptr && *stop_; }
 
   /// Returns the robust scale of the residuals of each joint, relative to the noise, at least 1.
   void rescale(const std::vector<Eigen::VectorXd>& residuals) {
@@ -72,10 +74,11 @@ class ShootingProblem {
   }
 
   /// Computes the normal equations at z: H dz = -g after the states are eliminated. The priors are included.
+  /// The equations are not complete if the fit is stopped.
   void linearise(const Eigen::VectorXd& z, Eigen::MatrixXd& H, Eigen::VectorXd& g) {
     H.setIdentity(z.size(), z.size());
     g = z;
-    for (std::size_t w = 0; w < windows_.size(); ++w) {
+    for (std::size_t w = 0; w < windows_.size() && !stopped(); ++w) {
       const Sensitivities s = model_.sensitivities(windows_[w], z, true);
       Eigen::VectorXd u;
       Eigen::MatrixXd J;
@@ -141,13 +144,14 @@ class ShootingProblem {
   Eigen::VectorXd noise_;
   Eigen::VectorXd scale_;
   std::vector<WindowEquations> equations_;
+  const std::atomic<bool>* stop_;
 };
 
 }  // namespace
 
 ShootingFit fit_windows(WindowModel& model, std::vector<ShotWindow>& windows, const Eigen::VectorXd& noise,
                         const Eigen::VectorXd& z, const ShootingFitOptions& options) {
-  ShootingProblem problem(model, windows, noise);
+  ShootingProblem problem(model, windows, noise, options.stop);
   ShootingFit fit;
   fit.z = z;
   std::vector<Eigen::VectorXd> residuals = problem.residuals(fit.z);
@@ -158,6 +162,7 @@ ShootingFit fit_windows(WindowModel& model, std::vector<ShotWindow>& windows, co
   while (fit.iterations < options.most_iterations && !fit.converged) {
     const double before = problem.objective(residuals, fit.z);
     problem.linearise(fit.z, H, g);
+    if (problem.stopped()) break;
     const std::vector<Eigen::VectorXd> starts = problem.starts();
     bool better = false;
     for (int attempt = 0; attempt < 8 && !better; ++attempt) {
@@ -186,7 +191,7 @@ ShootingFit fit_windows(WindowModel& model, std::vector<ShotWindow>& windows, co
     if (options.progress) options.progress(fit.iterations, fit.objective);
   }
   fit.scale = problem.scale();
-  if (options.with_covariance) fit.covariance = problem.covariance(fit.z);
+  if (options.with_covariance && !problem.stopped()) fit.covariance = problem.covariance(fit.z);
   return fit;
 }
 

@@ -5,6 +5,7 @@
 // eliminated window by window (Schur complement). Bock, Randwertproblemmethoden zur Parameteridentifizierung,
 // 1987. Outliers are weighted down (Huber).
 
+#include <atomic>
 #include <functional>
 
 #include "tuner/calibration/window_sensitivities.hpp"
@@ -27,6 +28,7 @@ struct ShootingFitOptions {
   double tolerance = 0.005;
   bool with_covariance = true;
   std::function<void(int iteration, double objective)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< true: the fit ends soon and has not converged
 };
 
 /// Fits parameters from z on, and the states of the windows. noise (n): of the encoders [rad, m].

@@ -43,6 +43,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_excite_command(app, exit_code);
   add_identify_command(app, exit_code);
   add_validate_command(app, exit_code);
+  add_calibrate_command(app, exit_code);
   add_plan_command(app, exit_code);
   add_yardstick_command(app, exit_code);
 #endif

@@ -36,6 +36,7 @@ void add_completion_command(CLI::App& app, int& exit_code);
 void add_excite_command(CLI::App& app, int& exit_code);
 void add_identify_command(CLI::App& app, int& exit_code);
 void add_validate_command(CLI::App& app, int& exit_code);
+void add_calibrate_command(CLI::App& app, int& exit_code);
 void add_plan_command(CLI::App& app, int& exit_code);
 void add_yardstick_command(CLI::App& app, int& exit_code);
 

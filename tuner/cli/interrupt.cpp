@@ -12,8 +12,8 @@ namespace armtune::internal::cli {
 namespace {
 
 // A signal handler can only reach globals.
-std::atomic<bool> stop{false};       // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
-std::atomic<std::int64_t> first{0};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+std::atomic<bool> stop{false};              // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+std::atomic<std::int64_t> first_signal{0};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -29,8 +29,8 @@ std::int64_t now() {
 
 void on_signal(int signal) {
   if (!stop.exchange(true)) {
-    first = now();
-  } else if (now() - first > kOneInterrupt) {
+    first_signal = now();
+  } else if (now() - first_signal > kOneInterrupt) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }

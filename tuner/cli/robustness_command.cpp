@@ -1,10 +1,7 @@
 // The command `armtune robustness`, which simulates a gain set on many randomly changed models of the arm. It
 // counts how many of them keep their limits.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 
 #include "tuner/cli/commands.hpp"
@@ -14,6 +11,7 @@
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/uncertainty_options.hpp"
 
 namespace armtune::internal::cli {
 namespace {
@@ -25,7 +23,7 @@ struct RobustnessArguments {
   std::string stepper = "midpoint";
   long only = -1;
   long seed = 1;
-  bool payload_given = false;
+  UncertaintyArguments uncertainty = {};
   MonteCarloSettings settings = {};
 };
 
@@ -44,7 +42,8 @@ int run_robustness(const RobustnessArguments& args, RankGroup& team) {
   settings.scenarios = load_inputs(settings.place, [&args] {
     return scenarios_of(args.set, args.scenarios, {"realistic_target_switch", "realistic_obstacle_pass"});
   });
-  if (!args.payload_given) options.perturbation.payload = default_perturbation(settings.scenarios).payload;
+  options.perturbation =
+      load_inputs(settings.place, [&] { return perturbation_of(args.uncertainty, settings.scenarios); });
   const GainSet set =
       load_inputs(settings.place, [&] { return load_gain_set(args.set, settings.scenarios); });
   settings.gains = set.gains;
@@ -61,7 +60,6 @@ int run_robustness(const RobustnessArguments& args, RankGroup& team) {
 void add_robustness_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<RobustnessArguments>();
   args->settings.options.workers = default_workers();
-  Perturbation& p = args->settings.options.perturbation;
   CLI::App* command = app.add_subcommand(
       "robustness",
       "Simulate gains on randomly changed models of the arm, and report how many of these keep all limits");
@@ -83,23 +81,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
           "With --out, the arm is written as arm.urdf and arm.yaml")
       ->check(CLI::Range(0L, 1000000000L));
   command->add_option("--limit", args->limits, kLimitHelp)->default_str(kLimitDefault);
-  CLI::Option* payload = nullptr;
-  for (const PerturbationField& f : perturbation_fields()) {
-    std::string option = fmt::format("--{}", f.name);
-    std::replace(option.begin(), option.end(), '_', '-');
-    const bool has_unit = std::string_view(f.unit) != "1";
-    const std::string meaning = has_unit ? fmt::format("{} [{}]", f.meaning, f.unit) : f.meaning;
-    CLI::Option* width = command->add_option(option, p.*f.width, meaning)
-                             ->capture_default_str()
-                             ->group("Uncertainty (uniform)");
-    if (f.width == &Perturbation::payload)
-      payload = width->default_str("three times the heaviest payload of the scenarios");
-  }
-  command
-      ->add_flag("!--fixed-phases", p.phases,
-                 "let targets and obstacles begin at the positions that the scenario gives")
-      ->default_str("at random positions on their paths")
-      ->group("Uncertainty (uniform)");
+  add_uncertainty_options(*command, args->uncertainty);
   add_stepper_option(*command, args->stepper);
   add_run_options(*command, "new folder for samples.csv, summary.csv, verdict.yaml, run.json and report.html",
                   "runs/robustness_<time>, or no files with --sample", args->settings.place,
@@ -107,10 +89,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "
       "--limit 'joint_velocity/max_ratio<=0.9'\n");
-  command->callback([args, payload, &exit_code] {
-    args->payload_given = payload->count() > 0;
-    exit_code = run_robustness(*args, team());
-  });
+  command->callback([args, &exit_code] { exit_code = run_robustness(*args, team()); });
 }
 
 }  // namespace armtune::internal::cli

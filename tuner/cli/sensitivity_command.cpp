@@ -17,18 +17,17 @@
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/run/run_file.hpp"
-#include "tuner/run/run_folder.hpp"
 #include "tuner/session/changed_inputs.hpp"
 #include "tuner/session/sensitivity_session.hpp"
+#include "tuner/session/study_files.hpp"
 
 namespace armtune::internal::cli {
 namespace {
 
 int run_sensitivity(SensitivitySettings settings, RankGroup& team) {
   settings.study = load_study(run_file(settings.run, "study.yaml"));
-  std::vector<std::string> files;
-  add_inputs(settings.study.scenarios, files);
-  if (const std::string changed = changed_input(inputs_of_run(settings.run), files); !changed.empty())
+  const std::string changed = changed_input(inputs_of_run(settings.run), inputs_of(settings.study));
+  if (!changed.empty())
     throw InputError(InputPlace{changed},
                      fmt::format("this file has changed since the run {}; tune again", settings.run));
   SessionPrinter printer;

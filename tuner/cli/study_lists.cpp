@@ -53,6 +53,9 @@ Other keys of the section 'search' of a study file:
   global_share     share that the first stage gets of the evaluations and minutes that remain after the start
                    gains and the sweep
   starts           number of local searches that run at once, from different start points
+  final_phase      minimax: a last phase models every metric separately, from derivatives that the native
+                   engine computes, and refines the best gains
+  final_share      share of the final phase in what is left to it and to the local searches
   differences      finite differences, for algorithms that use them: forward or central
   difference_step  step of the finite differences, as a share of each gain's range
   engine           simbody, or native for armtune's own dynamics, which are several times faster and equal up

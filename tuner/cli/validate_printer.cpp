@@ -3,42 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "tuner/cli/say.hpp"
+#include "tuner/cli/wrapped_text.hpp"
 
 namespace armtune::internal::cli {
 namespace {
 
-constexpr std::size_t kLineWidth = 80;
 constexpr std::size_t kJointWidth = 20;
-
-/// Prints a sentence with an indent, broken into lines of at most kLineWidth.
-void say_wrapped(const std::string& sentence, const char* indent = "  ") {
-  std::string line = indent;
-  std::size_t begin = 0;
-  bool first = true;
-  while (begin < sentence.size()) {
-    const std::size_t end = std::min(sentence.find(' ', begin), sentence.size());
-    const std::string word = sentence.substr(begin, end - begin);
-    if (!first && line.size() + 1 + word.size() > kLineWidth) {
-      say(line + "\n");
-      line = std::string(indent) + "  ";
-      first = true;
-    }
-    line += (first ? "" : " ") + word;
-    first = false;
-    begin = end + 1;
-  }
-  say(line + "\n");
-}
-
-void say_list(const char* heading, const std::vector<std::string>& sentences) {
-  if (sentences.empty()) return;
-  say(fmt::format("\n{}\n", heading));
-  for (const std::string& sentence : sentences) say_wrapped(sentence);
-}
 
 /// Returns an error in mrad or mm.
 std::string shown_error(double value) {

@@ -43,8 +43,8 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   };
   add("evaluation", "1", "number of the evaluation, from 0");
   add("phase", "",
-      "phase of the search: start, sweep, warm, global, search, gradient, verify; in a trade-off: start, "
-      "warm, anchor, level, gradient");
+      "phase of the search: start, sweep, warm, global, search, gradient, final, verify; in a trade-off: "
+      "start, warm, anchor, level, gradient");
   add("engine", "", "engine of the simulation: simbody or native");
   add("objective", "1", "objective of the evaluation, relative to the start gains; 1 for the start gains");
   add("feasible", "1", "1 if every constraint holds in every scenario");
@@ -66,6 +66,11 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
         fmt::format("largest violation of a limit in any scenario, simulated with {} at {}; 0 or less if "
                     "every limit holds",
                     name(demand.kind), demand.value));
+  }
+  if (study.final_phase) {
+    add("copies", "1",
+        "number of perturbed copies simulated for derivatives so far; each counts as one evaluation of the "
+        "study's max_evaluations, and has no row");
   }
   for (const ExtraColumn& e : extra) columns.push_back(e.column);
   add("time/wall", "s", "wall time of the run so far");
@@ -93,6 +98,7 @@ void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
     const std::size_t c = study_.constraints.size() - study_.margins.size() + m;
     row += "," + cell(c < e.constraints.size() ? e.constraints[c] : NAN);
   }
+  if (study_.final_phase) row += fmt::format(",{}", e.copies);
   for (const ExtraColumn& extra : extra_) row += "," + cell(extra.value(e));
   // Only the journal has to survive a power cut, because this file can be written again from it.
   file_.append(row + fmt::format(",{:.3f}\n", e.seconds), false);

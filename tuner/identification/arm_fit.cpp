@@ -59,7 +59,7 @@ TorqueReading TorqueReading::as_logged(int joints) {
   TorqueReading reading;
   reading.column.resize(static_cast<std::size_t>(joints));
   std::iota(reading.column.begin(), reading.column.end(), 0);
-  reading.sign = JointVector::Ones(joints);
+  reading.factor = JointVector::Ones(joints);
   return reading;
 }
 
@@ -86,7 +86,7 @@ ArmFit ArmFitter::fit(const ArmMoments& moments, const TorqueReading& reading, d
   const auto n = static_cast<Eigen::Index>(reading.column.size());
   Eigen::MatrixXd Q = link_weight * link_metric_ + kJointWeight * joint_metric_;
   Eigen::VectorXd c = Q * prior_;
-  const auto factor = [&](Eigen::Index j) { return reading.sign[j] * reading.scale; };
+  const auto factor = [&](Eigen::Index j) { return reading.factor[j] * reading.scale; };
   const auto column = [&](Eigen::Index j) {
     return static_cast<std::size_t>(reading.column[static_cast<std::size_t>(j)]);
   };

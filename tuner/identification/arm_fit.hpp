@@ -23,12 +23,12 @@ struct ArmMoments {
 
 ArmMoments arm_moments(const Chain& chain, const std::vector<LogInstant>& instants);
 
-/// An interpretation of the logged torques: the torque of joint j is sign[j] * scale * torque column
+/// An interpretation of the logged torques: the torque of joint j is factor[j] * scale * torque column
 /// column[j].
 struct TorqueReading {
   std::vector<int> column;
-  JointVector sign;
-  double scale = 1.0;
+  JointVector factor;  ///< of every joint, such as -1 (n)
+  double scale = 1.0;  ///< of all joints
 
   static TorqueReading as_logged(int joints);
 };

@@ -1,12 +1,9 @@
 #include "tuner/identification/log_mistakes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
-
-#include "tuner/identification/effort_words.hpp"
+#include <limits>
 
 namespace armtune::internal {
 namespace {
@@ -18,6 +15,9 @@ constexpr double kUnexplained = 0.5;
 /// Largest RMS torque that the robot file's own links may leave unexplained, relative to the RMS of all
 /// torques. Above it, these links need over twice the logged torque.
 constexpr double kOtherArm = 1.2;
+/// Below this share, the links of the robot file are those of the arm. A gear ratio that is 10 % wrong leaves
+/// more.
+constexpr double kRightFile = 0.05;
 /// The corresponding limit for torques that were multiplied or divided by a thousand.
 constexpr double kOtherScale = 0.6;
 /// A correct log has a lower cost: about 1 with noise and friction, 2 with a tool that is missing in the
@@ -26,6 +26,13 @@ constexpr double kOrdinaryCost = 3.0;
 /// Standard deviation of a position [rad, m] above which mistakes in its zero, sign or column can be
 /// detected.
 constexpr double kLeastDeviation = 0.1;
+/// Wrong gear ratios that are tried: powers of this factor, from one half to two. The best is refined.
+constexpr double kGearStep = 1.26;
+constexpr int kGearSteps = 3;
+/// Relative accuracy of a gear ratio.
+constexpr double kGearAccuracy = 0.005;
+/// Factor on the limits of a joint up to which its positions can be radians.
+constexpr double kBeyondLimits = 1.05;
 /// A mistake is reported if its correction lowers the cost to less than this share.
 constexpr double kMuchBetter = 0.4;
 
@@ -55,17 +62,30 @@ class Search {
         continue;
       take({.kind = MistakeKind::kTorqueScale, .value = scale, .fit = fitter_.fit(moments, reading)});
     }
+    for (int j = 0; j < n; ++j) {
+      for (const double scale : {1e-3, 1e3}) {
+        if (!moves(j)) continue;
+        TorqueReading reading = TorqueReading::as_logged(n);
+        reading.factor[j] = scale;
+        const double torque = scale * std::sqrt(moments.torque_squares[j]);
+        if (fitter_.fit_joints_only(moments, reading).residual[j] > kOtherScale * torque) continue;
+        take({.kind = MistakeKind::kTorqueScale,
+              .joint = j,
+              .value = scale,
+              .fit = fitter_.fit(moments, reading)});
+      }
+    }
   }
 
   void try_torques(const ArmMoments& moments) {
     const int n = model_.n();
     TorqueReading turned = TorqueReading::as_logged(n);
-    turned.sign *= -1.0;
+    turned.factor *= -1.0;
     take({.kind = MistakeKind::kAllTorqueSigns, .fit = fitter_.fit(moments, turned)});
     for (int j = 0; j < n; ++j) {
       if (!moves(j)) continue;
       TorqueReading reading = TorqueReading::as_logged(n);
-      reading.sign[j] = -1.0;
+      reading.factor[j] = -1.0;
       take({.kind = MistakeKind::kTorqueSign, .joint = j, .fit = fitter_.fit(moments, reading)});
       for (int k = j + 1; k < n; ++k) {
         if (!moves(k)) continue;
@@ -111,7 +131,60 @@ class Search {
     }
   }
 
+  /// Tries whether positions that were read as degrees are in radians, except those that are too large.
+  void try_mixed_units() {
+    std::vector<bool> radians(static_cast<std::size_t>(model_.n()), false);
+    int in_degrees = -1;
+    for (int j = model_.n() - 1; j >= 0; --j) {
+      if (model_.chain.motion[static_cast<std::size_t>(j)] != JointMotion::kRevolute) continue;
+      const JointLimits& limits = model_.joints[static_cast<std::size_t>(j)].limits;
+      const double most =
+          limits.has_position ? std::max(std::abs(limits.lower), std::abs(limits.upper)) : 2.0 * M_PI;
+      double largest = 0.0;
+      for (const LogInstant& at : instants_) largest = std::max(largest, std::abs(at.q[j]));
+      radians[static_cast<std::size_t>(j)] = largest <= kOneDegree * kBeyondLimits * most;
+      if (!radians[static_cast<std::size_t>(j)]) in_degrees = j;
+    }
+    if (in_degrees < 0 || std::find(radians.begin(), radians.end(), true) == radians.end()) return;
+    try_motion({.kind = MistakeKind::kMixedUnits, .joint = in_degrees}, [&](LogInstant& at) {
+      for (int j = 0; j < model_.n(); ++j) {
+        if (!radians[static_cast<std::size_t>(j)]) continue;
+        for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[j] /= kOneDegree;
+      }
+    });
+  }
+
+  /// Tries gear ratios. Drives compute the position from the motor's by dividing by the ratio, and the torque
+  /// by multiplying with it. So a wrong ratio scales both, inversely to each other.
+  void try_gear_ratios() {
+    LogMistake best;
+    best.fit.cost = std::numeric_limits<double>::infinity();
+    const auto try_ratio = [&](int joint, double factor) {
+      LogMistake mistake = fitted({.kind = MistakeKind::kGearRatio, .joint = joint, .value = factor},
+                                  [joint, factor](LogInstant& at) {
+                                    for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[joint] *= factor;
+                                    at.torque[joint] /= factor;
+                                  });
+      if (mistake.fit.cost < best.fit.cost) best = std::move(mistake);
+    };
+    for (int j = 0; j < model_.n(); ++j) {
+      for (int k = -kGearSteps; moves(j) && k <= kGearSteps; ++k) {
+        if (k != 0) try_ratio(j, std::pow(kGearStep, k));
+      }
+    }
+    if (best.joint < 0) return;
+    for (double step = 0.5 * std::log(kGearStep); step > kGearAccuracy; step *= 0.5) {
+      const double middle = best.value;
+      for (const double sign : {1.0, -1.0}) try_ratio(best.joint, middle * std::exp(sign * step));
+    }
+    take(best);
+  }
+
   void try_mountings() {
+    Chain floating = model_.chain;
+    floating.gravity.setZero();
+    take({.kind = MistakeKind::kNoWeight,
+          .fit = fitter_.fit(arm_moments(floating, instants_), TorqueReading::as_logged(model_.n()))});
     const double g = model_.chain.gravity.norm();
     for (int axis = 0; axis < 3; ++axis) {
       for (const double sign : {1.0, -1.0}) {
@@ -141,11 +214,16 @@ class Search {
     return squares / count - std::pow(sum / count, 2) > kLeastDeviation * kLeastDeviation;
   }
 
-  void try_motion(LogMistake mistake, const std::function<void(LogInstant&)>& correct) {
+  /// Returns the mistake with the fit of the corrected log.
+  LogMistake fitted(LogMistake mistake, const std::function<void(LogInstant&)>& correct) const {
     std::vector<LogInstant> corrected = instants_;
     for (LogInstant& at : corrected) correct(at);
     mistake.fit = fitter_.fit(arm_moments(model_.chain, corrected), TorqueReading::as_logged(model_.n()));
-    take(mistake);
+    return mistake;
+  }
+
+  void try_motion(const LogMistake& mistake, const std::function<void(LogInstant&)>& correct) {
+    take(fitted(mistake, correct));
   }
 
   void take(const LogMistake& mistake) {
@@ -176,79 +254,28 @@ LogComparison compare_with_robot_file(const RobotModel& model, const std::vector
   found.most_joints_move = search.most_joints_move();
   const bool explained = found.as_logged.unexplained.maxCoeff() < kUnexplained &&
                          all_unexplained(found.robot_file, moments) < kOtherArm;
-  // If few joints move, many different zero positions explain the log equally well.
-  if (explained && (found.as_logged.cost < kOrdinaryCost || !found.most_joints_move)) return found;
-  // Torques that are wrong by a factor of a thousand are never explained by an arm near the robot file's.
-  if (!explained) search.try_torque_scales(moments);
-  search.try_torques(moments);
-  search.try_motions();
-  search.try_mountings();
-  if (search.best()->fit.cost < kMuchBetter * found.as_logged.cost) {
+  if (explained && !found.most_joints_move) {
+    // Many different zero positions would explain the log equally well. Joints may seem to stand still
+    // because their positions were converted from degrees by mistake.
+    search.try_mixed_units();
+  } else if (explained && found.as_logged.cost < kOrdinaryCost) {
+    // Other masses explain the torques of a wrong gear ratio, but not as well as the right ratio.
+    if (all_unexplained(found.robot_file, moments) > kRightFile) search.try_gear_ratios();
+  } else {
+    // Torques that are wrong by a factor of a thousand are never explained by an arm near the robot file's.
+    if (!explained) search.try_torque_scales(moments);
+    search.try_torques(moments);
+    search.try_motions();
+    search.try_mixed_units();
+    search.try_gear_ratios();
+    search.try_mountings();
+  }
+  if (search.best() && search.best()->fit.cost < kMuchBetter * found.as_logged.cost) {
     found.mistake = search.best();
   } else if (!explained) {
     found.mistake = LogMistake{.fit = found.as_logged};
   }
   return found;
-}
-
-std::string to_text(const LogMistake& mistake, const RobotModel& model) {
-  const auto name = [&](int joint) { return model.joints[static_cast<std::size_t>(joint)].name; };
-  const auto effort = [&](int joint) { return std::string(effort_words(model, joint).name); };
-  const std::string any_effort = effort_word_of_all(model, &EffortWords::name);
-  switch (mistake.kind) {
-    case MistakeKind::kTorqueScale:
-      return fmt::format(
-          "every {} looks 1000 times too {}, as if logged in {}; set `scale: {}` for `torque` in the column "
-          "map",
-          any_effort, mistake.value < 1.0 ? "large" : "small",
-          effort_word_of_all(model,
-                             mistake.value < 1.0 ? &EffortWords::thousandth : &EffortWords::thousandfold),
-          mistake.value);
-    case MistakeKind::kAllTorqueSigns:
-      return fmt::format(
-          "every {} seems to have the wrong sign; set `scale: -1` for `torque` in the column map",
-          any_effort);
-    case MistakeKind::kTorqueSign:
-      return fmt::format("the {} of {} seems to have the wrong sign; set its scale to -1 in the column map",
-                         effort(mistake.joint), name(mistake.joint));
-    case MistakeKind::kTorquesSwapped:
-      return fmt::format("the {} seem to be exchanged; exchange their columns in the column map",
-                         effort(mistake.joint) == effort(mistake.other)
-                             ? fmt::format("{}s of {} and {}", effort(mistake.joint), name(mistake.joint),
-                                           name(mistake.other))
-                             : fmt::format("{} of {} and the {} of {}", effort(mistake.joint),
-                                           name(mistake.joint), effort(mistake.other), name(mistake.other)));
-    case MistakeKind::kDegrees:
-      return "the positions seem to be in degrees; set `scale: 0.017453292519943295` for them in the column "
-             "map";
-    case MistakeKind::kPositionSign:
-      return fmt::format(
-          "the position of {} seems to have the wrong sign; set its scale to -1 in the column map",
-          name(mistake.joint));
-    case MistakeKind::kJointSign:
-      return fmt::format(
-          "position and {} of {} seem to have the wrong sign; set both scales to -1 in the column map, or "
-          "turn the joint's axis in the URDF",
-          effort(mistake.joint), name(mistake.joint));
-    case MistakeKind::kPositionOffset:
-      return fmt::format(
-          "the zero position of {} seems to be wrong: its logged position plus {:.0f} degrees would fit the "
-          "robot file; correct the log or the URDF",
-          name(mistake.joint), mistake.value / kOneDegree);
-    case MistakeKind::kPositionsSwapped:
-      return fmt::format(
-          "the positions of {} and {} seem to be exchanged; exchange their columns in the column map",
-          name(mistake.joint), name(mistake.other));
-    case MistakeKind::kMounting:
-      return fmt::format(
-          "the arm seems to be mounted differently: gravity would have to point along ({:.0f}, {:.0f}, "
-          "{:.0f}) in the base frame; turn the arm's base in the URDF",
-          mistake.direction.x() + 0.0, mistake.direction.y() + 0.0, mistake.direction.z() + 0.0);
-    case MistakeKind::kAnotherArm:
-      break;
-  }
-  return "the log is of another arm, or the masses or the friction in the robot file are far from the arm's; "
-         "no single unit, sign, column, zero position or mounting explains it";
 }
 
 }  // namespace armtune::internal

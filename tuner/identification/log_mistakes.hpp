@@ -14,16 +14,19 @@
 namespace armtune::internal {
 
 enum class MistakeKind {
-  kTorqueScale,       ///< torques have to be multiplied by `value`
+  kTorqueScale,       ///< the torque of `joint`, or all torques, have to be multiplied by `value`
   kAllTorqueSigns,    ///< every torque has the other sign
   kTorqueSign,        ///< the torque of `joint` has the other sign
   kTorquesSwapped,    ///< the torques of `joint` and `other` are exchanged
   kDegrees,           ///< positions are in degrees
+  kMixedUnits,        ///< positions were read as degrees: that of `joint` was in degrees, others in radians
   kPositionSign,      ///< the position of `joint` has the other sign
   kJointSign,         ///< position and torque of `joint` have the other sign
   kPositionOffset,    ///< `value` [rad] has to be added to the position of `joint`
   kPositionsSwapped,  ///< the positions of `joint` and `other` are exchanged
+  kGearRatio,         ///< the position of `joint` has to be multiplied, and its torque divided, by `value`
   kMounting,          ///< gravity points along `direction` in the base frame
+  kNoWeight,          ///< the torques do not include those that hold the arm's weight
   kAnotherArm,        ///< none of these: the log is of another arm, or the robot file is far from the arm
 };
 
@@ -46,10 +49,13 @@ struct LogComparison {
   std::optional<LogMistake> mistake;  ///< none: the log seems to be of this arm
 };
 
-/// Compares a log with the robot file. This takes some 50 ms, or a second or two if it has to look for
+/// Compares a log with the robot file. This takes some 50 ms, or up to a few seconds if it has to look for
 /// mistakes. noise (n): standard deviation of the noise in the instants' torques [N m, N].
 LogComparison compare_with_robot_file(const RobotModel& model, const std::vector<LogInstant>& instants,
                                       const JointVector& noise);
+
+/// Returns the kind as a word for files, such as "torques_exchanged".
+const char* name(MistakeKind kind);
 
 /// Returns one sentence that names the mistake, its joints and what to do.
 std::string to_text(const LogMistake& mistake, const RobotModel& model);

@@ -7,6 +7,7 @@
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
+#include "sim/scenario/arm_distribution.hpp"
 #include "tuner/interface/kept_inputs.hpp"
 #include "tuner/interface/observing.hpp"
 #include "tuner/interface/rollout_maker.hpp"
@@ -16,10 +17,12 @@
 namespace armtune {
 namespace {
 
-internal::Perturbation perturbation_of(const std::map<std::string, double>& widths,
+internal::Perturbation perturbation_of(const RobustnessOptions& options,
                                        const std::vector<internal::Scenario>& scenarios) {
   internal::Perturbation perturbation = internal::default_perturbation(scenarios);
-  for (const auto& given : widths) {
+  if (!options.distribution.empty())
+    draw_from(internal::load_arm_distribution(options.distribution, scenarios), perturbation);
+  for (const auto& given : options.perturbation) {
     const auto fields = internal::perturbation_fields();
     const auto found = std::find_if(fields.begin(), fields.end(),
                                     [&](const auto& field) { return field.name == given.first; });
@@ -70,7 +73,7 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
   settings.options.seed = options.seed;
   settings.options.engine = internal_of(options.engine);
   settings.options.workers = options.workers;
-  settings.options.perturbation = perturbation_of(options.perturbation, settings.scenarios);
+  settings.options.perturbation = perturbation_of(options, settings.scenarios);
   Observing<internal::MonteCarloObserver> observer(options.watch);
   internal::RankGroup alone(nullptr);
   internal::MonteCarloSession session(std::move(settings), context_of(options.watch), observer);

@@ -22,8 +22,12 @@ namespace {
 constexpr std::string_view kFormat = "armtune journal 1";
 constexpr std::string_view kHeaderEnd = "records";
 /// For each time budget, the kind of the record which says that the budget is used up.
-constexpr std::array<std::pair<Minutes, std::string_view>, 3> kTimeUp = {
-    {{Minutes::kRun, "time-up"}, {Minutes::kSearch, "search-time-up"}, {Minutes::kGlobal, "global-time-up"}}};
+constexpr std::array<std::pair<Minutes, std::string_view>, 5> kTimeUp = {
+    {{Minutes::kRun, "time-up"},
+     {Minutes::kSearch, "search-time-up"},
+     {Minutes::kGlobal, "global-time-up"},
+     {Minutes::kLocal, "local-time-up"},
+     {Minutes::kFinal, "final-time-up"}}};
 
 std::optional<Minutes> minutes_of(std::string_view kind) {
   for (const auto& [minutes, name] : kTimeUp) {

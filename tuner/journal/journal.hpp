@@ -17,8 +17,9 @@ namespace armtune::internal {
 
 /// The time budgets of a run. kRun is the budget of the whole run. kSearch ends earlier, so that time is left
 /// for the last steps after a search. kGlobal ends earlier still: it limits the global search, so that time
-/// is left for the local searches.
-enum class Minutes { kRun, kSearch, kGlobal };
+/// is left for the local searches. kLocal limits these, so that time is left for a final phase, and kFinal
+/// limits the final phase.
+enum class Minutes { kRun, kSearch, kGlobal, kLocal, kFinal };
 
 class Journal {
  public:

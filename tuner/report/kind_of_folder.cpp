@@ -58,10 +58,12 @@ RunKind kind_of(const std::string& folder) {
   if (has("errors.csv")) return RunKind::kSimulate;
   if (has("motion.csv")) return RunKind::kPlan;
   if (has("residuals.csv") || has("horizons.csv")) return RunKind::kValidate;
-  throw InputError(InputPlace{folder},
-                   "contains none of errors.csv, evaluations.csv, pareto.csv, samples.csv, comparison.csv, "
-                   "motion.csv, residuals.csv and horizons.csv; give the folder of a run of simulate, tune, "
-                   "pareto, robustness, compare, plan or validate");
+  if (has("parameters.csv") || has("held_out.csv")) return RunKind::kCalibrate;
+  throw InputError(
+      InputPlace{folder},
+      "contains none of errors.csv, evaluations.csv, pareto.csv, samples.csv, comparison.csv, "
+      "motion.csv, residuals.csv, horizons.csv, parameters.csv and held_out.csv; give the folder "
+      "of a run of simulate, tune, pareto, robustness, compare, plan, validate or calibrate");
 }
 
 }  // namespace armtune::internal::report

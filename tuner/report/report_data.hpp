@@ -11,6 +11,7 @@
 #include "sim/metrics/metric.hpp"
 #include "tuner/record/declaration.hpp"
 #include "tuner/report/arm.hpp"
+#include "tuner/report/calibration_data.hpp"
 #include "tuner/report/scenario_data.hpp"
 #include "tuner/report/search_data.hpp"
 #include "tuner/report/validation_data.hpp"
@@ -128,6 +129,7 @@ struct ReportData {
   std::optional<Robustness> robustness;
   std::optional<Plan> plan;
   std::optional<ValidationData> validation;
+  std::optional<CalibrationData> calibration;
   Provenance provenance;
   std::vector<std::string> left_out;  ///< for each file that could not be understood, the reason
   std::vector<std::string> thinned;   ///< parts that the page leaves out to limit its size
@@ -143,7 +145,7 @@ struct ReportData {
     f("margins", data.margins, "", kIfAny)("yardstick", data.yardstick, "", kIfAny);
     f("front", data.front, "", kIfAny)("robustness", data.robustness, "", kIfAny)("plan", data.plan, "",
                                                                                   kIfAny);
-    f("validation", data.validation, "", kIfAny);
+    f("validation", data.validation, "", kIfAny)("calibration", data.calibration, "", kIfAny);
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "tuner/report/calibration_report.hpp"
 #include "tuner/report/kind_of_folder.hpp"
 #include "tuner/report/plan_report.hpp"
 #include "tuner/report/record_entries.hpp"
@@ -253,6 +254,7 @@ ReportData report_of(const std::string& folder, std::size_t bytes, const std::op
   const RunKind kind = kind_of(folder);
   if (kind == RunKind::kPlan) return plan_report_of(folder, bytes);
   if (kind == RunKind::kValidate) return validation_report_of(folder, bytes);
+  if (kind == RunKind::kCalibrate) return calibration_report_of(folder);
   return Assembly(folder, bytes, live).make();
 }
 

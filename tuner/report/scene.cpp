@@ -58,7 +58,7 @@ std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
       return {{"plan", ".", ""}};
     case RunKind::kCompare:
       break;
-    default:  // a validation, which has no gains, or a run without a page
+    default:  // a validation or a calibration, which have no gains, or a run without a page
       return {};
   }
   std::vector<SceneSet> sets;

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "armtune/error.hpp"
-#include "sim/csv/number_table.hpp"
 #include "tuner/report/buckets.hpp"
+#include "tuner/report/joint_columns.hpp"
 #include "tuner/report/record_entries.hpp"
 #include "tuner/report/recording.hpp"
 #include "tuner/report/run_report.hpp"
@@ -21,21 +22,7 @@ namespace armtune::internal::report {
 namespace {
 
 constexpr std::size_t kMostDetails = 30;     ///< of each kind in the details
-constexpr std::size_t kMostJoints = 64;      ///< that are shown
 constexpr std::size_t kMostHorizons = 1000;  ///< rows of horizons.csv that are shown
-
-/// Returns the names between "joint/" and the ending in the header, in its order.
-std::vector<std::string> joints_with(const NumberTable& table, std::string_view ending) {
-  constexpr std::string_view kBegin = "joint/";
-  std::vector<std::string> joints;
-  for (const std::string& column : table.header()) {
-    if (joints.size() == kMostJoints) break;
-    if (column.size() > kBegin.size() + ending.size() && column.starts_with(kBegin) &&
-        column.ends_with(ending))
-      joints.push_back(column.substr(kBegin.size(), column.size() - kBegin.size() - ending.size()));
-  }
-  return joints;
-}
 
 class ValidationAssembly {
  public:
@@ -145,7 +132,10 @@ class ValidationAssembly {
     Verdict verdict;
     if (!facts_) return {"The numbers of this run could not be read.", {}};
     verdict.sentence = facts_->headline + ".";
-    for (const auto* lines : {&facts_->findings, &facts_->causes, &facts_->not_compared, &facts_->notes})
+    std::vector<std::string> findings;
+    for (const LogFindingFact& finding : facts_->findings) findings.push_back(finding.text);
+    for (const auto* lines :
+         {&std::as_const(findings), &facts_->causes, &facts_->not_compared, &facts_->notes})
       add(verdict.details, *lines, kMostDetails);
     return verdict;
   }

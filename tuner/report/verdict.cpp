@@ -254,7 +254,7 @@ Verdict of_run(const ReportData& data, const VerdictFacts& facts) {
       return of_robustness(data);
     case RunKind::kCompare:
       return of_compare(data);
-    default:  // plan_report.cpp and validation_report.cpp make their own
+    default:  // plan_report.cpp, validation_report.cpp and calibration_report.cpp make their own
       break;
   }
   return {};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/robot/urdf_writer.hpp"
+#include "sim/scenario/arm_distribution.hpp"
 #include "sim/scenario/robot_writer.hpp"
 
 namespace armtune::internal {
@@ -62,6 +63,28 @@ double rate(const Path& path) {
 
 }  // namespace
 
+std::vector<std::string> distribution_columns(const Perturbation& perturbation) {
+  std::vector<std::string> columns;
+  if (!perturbation.distribution) return columns;
+  for (const ArmParameter& p : perturbation.distribution->parameters) {
+    if (p.is_drawn()) columns.push_back("distribution/" + p.name);
+  }
+  return columns;
+}
+
+std::vector<double> distribution_values(const Perturbation& perturbation, std::uint64_t seed,
+                                        std::uint64_t sample) {
+  std::vector<double> values;
+  if (!perturbation.distribution) return values;
+  const Eigen::VectorXd drawn = drawn_parameters(*perturbation.distribution, seed, sample);
+  Eigen::Index i = 0;
+  for (const ArmParameter& p : perturbation.distribution->parameters) {
+    const double value = drawn[i++];
+    if (p.is_drawn()) values.push_back(value);
+  }
+  return values;
+}
+
 std::vector<std::string> drawn_columns(const std::vector<Scenario>& scenarios) {
   std::vector<std::string> columns;
   for (const std::string& joint : joint_names(*scenarios.front().robot)) {
@@ -102,14 +125,14 @@ std::vector<double> drawn_values(const std::vector<Scenario>& scenarios, const S
 
 std::vector<std::pair<std::string, std::string>> drawn_arm_files(const Scenario& drawn) {
   const RobotModel arm = plant_model(drawn);
-  return {
-      {"arm.urdf", urdf_text(arm)},
-      {"arm.yaml",
-       robot_yaml(arm, "arm.urdf",
-                  fmt::format("The arm that was simulated in {}, with its payload and friction{}", drawn.name,
-                              drawn.clearance ? ". The 'cell' around the arm is not included; add a cell to "
-                                                "the robot or the scenario to check contacts"
-                                              : ""))}};
+  std::string comment =
+      fmt::format("The arm that was simulated in {}, with its payload and friction", drawn.name);
+  if (drawn.plant.arm) comment += ". Delay, tilt of the base and encoder offsets are not included";
+  if (drawn.clearance)
+    comment +=
+        ". The 'cell' around the arm is not included; add a cell to the robot or the scenario to check "
+        "contacts";
+  return {{"arm.urdf", urdf_text(arm)}, {"arm.yaml", robot_yaml(arm, "arm.urdf", comment)}};
 }
 
 }  // namespace armtune::internal

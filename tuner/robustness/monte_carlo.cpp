@@ -132,16 +132,18 @@ std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
   return Drawing(pool, gains, options).run(stop);
 }
 
-std::string samples_header(const std::vector<Scenario>& scenarios) {
+std::string samples_header(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options) {
   std::string text = "sample,scenario,status,broken_limit,joint_velocity/max_ratio_joint";
   for (const Metric metric : all_metrics()) text += fmt::format(",{}", name(metric));
   for (const std::string& column : drawn_columns(scenarios)) text += "," + cell(column);
+  for (const std::string& column : distribution_columns(options.perturbation)) text += "," + cell(column);
   return text + '\n';
 }
 
 std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
                         const MonteCarloSample& sample) {
   std::string text;
+  const auto of_distribution = distribution_values(options.perturbation, options.seed, sample.number);
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
     const RolloutResult& result = sample.results[s];
     text += fmt::format("{},{},{},{},{}", sample.number, cell(scenarios[s].name), name(result.status),
@@ -149,6 +151,7 @@ std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarlo
     for (const Metric metric : all_metrics()) text += "," + cell(result.metrics[metric]);
     const Scenario drawn = perturbed(scenarios[s], options.perturbation, options.seed, sample.number);
     for (const double value : drawn_values(scenarios, scenarios[s], drawn)) text += "," + cell(value);
+    for (const double value : of_distribution) text += "," + cell(value);
     text += '\n';
   }
   return text;
@@ -156,7 +159,7 @@ std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarlo
 
 std::string samples_csv(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
                         const std::vector<MonteCarloSample>& samples) {
-  std::string text = samples_header(scenarios);
+  std::string text = samples_header(scenarios, options);
   for (const MonteCarloSample& sample : samples) text += sample_rows(scenarios, options, sample);
   return text;
 }

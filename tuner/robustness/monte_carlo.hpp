@@ -64,7 +64,7 @@ std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
 /// velocity ratio, every metric, and the properties of the random arm (drawn_arm.hpp). Numbers have all
 /// digits that are needed to read back the same value. options: must be the options with which the samples
 /// were simulated.
-std::string samples_header(const std::vector<Scenario>& scenarios);
+std::string samples_header(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options);
 std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
                         const MonteCarloSample& sample);
 std::string samples_csv(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,

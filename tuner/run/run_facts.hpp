@@ -290,6 +290,38 @@ struct ThresholdFact {
   static void declare(auto& f, auto& one) { f.type("ThresholdFact")("name", one.name)("value", one.value); }
 };
 
+/// What `validate` found wrong with the log itself.
+struct LogFindingFact {
+  std::string kind;             ///< such as "torque_offset"; docs/validation.md lists them
+  std::string joint;            ///< empty: the whole log
+  std::string other;            ///< the second joint, of those that are exchanged
+  std::optional<double> value;  ///< size of the mistake, in the unit of its kind
+  std::optional<double> time;   ///< when it begins [s], in the time of the log
+  std::string text;             ///< the same as a sentence, for people
+  bool operator==(const LogFindingFact&) const = default;
+
+  static void declare(auto& f, auto& one) {
+    using enum record::Presence;
+    f.type("LogFindingFact")("kind", one.kind)("joint", one.joint, "", kIfAny)("other", one.other, "",
+                                                                               kIfAny);
+    f("value", one.value, "", kIfAny)("time", one.time, "s", kIfAny)("text", one.text);
+  }
+};
+
+/// A likely cause of the difference between measured and predicted torques.
+struct MisfitCauseFact {
+  std::string kind;    ///< such as "coulomb_friction"
+  std::string joint;   ///< empty: the whole arm
+  double value = 0.0;  ///< what the model lacks, in the unit of the kind
+  double share = 0.0;  ///< largest share of a joint's mean square residual that it explains alone
+  bool operator==(const MisfitCauseFact&) const = default;
+
+  static void declare(auto& f, auto& one) {
+    f.type("MisfitCauseFact")("kind", one.kind)("joint", one.joint, "", record::Presence::kIfAny);
+    f("value", one.value)("share", one.share);
+  }
+};
+
 /// The result of `validate`.
 struct ValidationFacts {
   bool matches = false;  ///< true if the robot file predicts the log
@@ -299,8 +331,9 @@ struct ValidationFacts {
   double duration = 0.0;  ///< [s]
   std::string commands;   ///< kind of the commands that the motion was simulated with; empty: none
   std::vector<JointMatchFact> joints;
-  std::vector<std::string> causes;        ///< sentences on the joints, each with its likely causes
-  std::vector<std::string> findings;      ///< what is wrong with the log itself, each a sentence
+  std::vector<std::string> causes;       ///< sentences on the joints, each with its likely causes
+  std::vector<MisfitCauseFact> misfit;   ///< the causes of the torques' misfit, the most important ones first
+  std::vector<LogFindingFact> findings;  ///< what is wrong with the log itself
   std::vector<std::string> not_compared;  ///< what could not be compared, and why
   std::vector<std::string> notes;         ///< how the log was read
   std::vector<ThresholdFact> thresholds;
@@ -311,7 +344,8 @@ struct ValidationFacts {
     f.type("ValidationFacts")("matches", found.matches)("headline", found.headline)("robot", found.robot);
     f("samples", found.samples)("duration", found.duration, "s");
     f("commands", found.commands, "Kind of the commands that the motion was simulated with.", kIfAny);
-    f("joints", found.joints)("causes", found.causes, "", kIfAny)("findings", found.findings, "", kIfAny);
+    f("joints", found.joints)("causes", found.causes, "", kIfAny)("misfit", found.misfit, "", kIfAny);
+    f("findings", found.findings, "", kIfAny);
     f("not_compared", found.not_compared, "", kIfAny)("notes", found.notes, "", kIfAny);
     f("thresholds", found.thresholds);
   }

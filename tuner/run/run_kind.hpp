@@ -11,6 +11,7 @@ enum class RunKind {
   kCompare,
   kPlan,
   kValidate,
+  kCalibrate,
   kMargins,  ///< a report page can be made of the kinds before this one
   kSensitivity,
   kYardstick,
@@ -21,9 +22,9 @@ enum class RunKind {
 
 /// Returns the name of the command, such as "simulate"; empty for a value beyond the last kind.
 constexpr const char* name(RunKind kind) {
-  constexpr const char* kNames[] = {
-      "simulate", "tune",        "pareto",    "robustness", "compare",  "plan",      "validate",
-      "margins",  "sensitivity", "yardstick", "excite",     "identify", "benchmark", ""};
+  constexpr const char* kNames[] = {"simulate",  "tune",     "pareto",    "robustness", "compare",
+                                    "plan",      "validate", "calibrate", "margins",    "sensitivity",
+                                    "yardstick", "excite",   "identify",  "benchmark",  ""};
   return kNames[static_cast<int>(kind)];
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // The record of a run, run.json: how the results of a run folder were made, and what the run found. It is
-// declared once, here and in run_facts.hpp. Commands fill it in, and the report, the verdict and `export`
-// read it.
+// declared once, here and in the files *_facts.hpp beside this one. Commands fill it in, and the report, the
+// verdict and `export` read it.
 //
 //   if (const auto record = find_run_record("runs/first"); record && record->search)
 //     fmt::print("{} evaluations\n", record->search->evaluations);
@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tuner/run/calibration_facts.hpp"
+#include "tuner/run/distribution_facts.hpp"
 #include "tuner/run/run_facts.hpp"
 #include "tuner/run/run_kind.hpp"
 
@@ -37,10 +39,12 @@ struct RunRecord {
   std::optional<TunedFacts> tuned;            ///< of `tune`
   std::optional<FrontFacts> front;            ///< of `pareto`
   std::optional<RobustnessFacts> robustness;
+  std::optional<DistributionFacts> distribution;  ///< of random arms, also those of a search
   std::optional<MarginsFacts> margins;
   std::optional<PlanFacts> plan;
   std::optional<IdentificationFacts> identification;
   std::optional<ValidationFacts> validation;
+  std::optional<CalibrationFacts> calibration;
   std::optional<ExcitationFacts> excitation;
   std::optional<YardstickFacts> yardstick;
   std::vector<ComponentVersion> versions;
@@ -57,9 +61,10 @@ struct RunRecord {
     f("simulation", run.simulation, "", kIfAny)("compare", run.compare, "", kIfAny);
     f("search", run.search, "", kIfAny);
     f("tuned", run.tuned, "", kIfAny)("front", run.front, "", kIfAny);
-    f("robustness", run.robustness, "", kIfAny)("margins", run.margins, "", kIfAny);
+    f("robustness", run.robustness, "", kIfAny)("distribution", run.distribution, "", kIfAny);
+    f("margins", run.margins, "", kIfAny);
     f("plan", run.plan, "", kIfAny)("identification", run.identification, "", kIfAny);
-    f("validation", run.validation, "", kIfAny);
+    f("validation", run.validation, "", kIfAny)("calibration", run.calibration, "", kIfAny);
     f("excitation", run.excitation, "", kIfAny)("yardstick", run.yardstick, "", kIfAny);
     f("versions", run.versions)("machine", run.machine)("arithmetic", run.arithmetic);
     f("inputs", run.inputs);

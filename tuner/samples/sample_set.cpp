@@ -9,6 +9,21 @@
 #include "tuner/samples/statistics.hpp"
 
 namespace armtune::internal {
+namespace {
+
+/// Returns the measure, other than the mean, of values in ascending order, of which the last is the worst.
+double of_sorted(const SampleSet& set, const std::vector<double>& values) {
+  switch (set.measure) {
+    case RiskMeasure::kQuantile:
+      return quantile(values, set.level);
+    case RiskMeasure::kConditionalValueAtRisk:
+      return conditional_value_at_risk(values, set.level);
+    default:
+      return values.back();
+  }
+}
+
+}  // namespace
 
 std::span<const char* const> risk_measure_names() {
   static constexpr const char* names[] = {"mean", "quantile", "worst", "cvar"};
@@ -27,14 +42,27 @@ double measured(const SampleSet& set, bool larger_is_better, std::vector<double>
   const double sign = larger_is_better ? -1.0 : 1.0;
   for (double& v : values) v *= sign;
   std::sort(values.begin(), values.end());
-  switch (set.measure) {
-    case RiskMeasure::kQuantile:
-      return sign * quantile(values, set.level);
-    case RiskMeasure::kConditionalValueAtRisk:
-      return sign * conditional_value_at_risk(values, set.level);
-    default:
-      return sign * values.back();
+  return sign * of_sorted(set, values);
+}
+
+std::vector<double> risk_weights(const SampleSet& set, bool larger_is_better,
+                                 const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  if (set.measure == RiskMeasure::kMean) return std::vector<double>(n, 1.0 / static_cast<double>(n));
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return larger_is_better ? values[a] > values[b] : values[a] < values[b];
+  });
+  // The measure is linear in the sorted values, so a weight is its value for a unit vector.
+  std::vector<double> weights(n);
+  std::vector<double> unit(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    unit[i] = 1.0;
+    weights[order[i]] = of_sorted(set, unit);
+    unit[i] = 0.0;
   }
+  return weights;
 }
 
 RolloutResult folded(const SampleSet& set, std::span<const RolloutResult> samples) {

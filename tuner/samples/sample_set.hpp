@@ -45,6 +45,11 @@ Scenario arm_of(const SampleSet& set, const Scenario& scenario, std::size_t k);
 /// because an arm without a value must not improve the result.
 double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values);
 
+/// Returns the weights with which measured() is the weighted sum of these values (at least one, none NaN).
+/// They are the derivatives of the measure by the values, as long as the order of the values stays the same.
+std::vector<double> risk_weights(const SampleSet& set, bool larger_is_better,
+                                 const std::vector<double>& values);
+
 /// Combines one scenario's results on the arms (at least one) into one result, with the risk measure of every
 /// metric. The result counts as completed if the rollouts of all arms are completed. Otherwise its status,
 /// end and reason are those of the rollout that ended first. The reason names the arm if it is a random one.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tuner/evaluation/evaluator.hpp"
+#include "tuner/search/final_phase.hpp"
 #include "tuner/search/last_steps.hpp"
 #include "tuner/search/requests.hpp"
 #include "tuner/search/seen.hpp"
@@ -34,6 +35,8 @@ class Run {
   Run(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
       const TuneCallbacks& callbacks, Journal* journal)
       : study_(study),
+        workers_(workers),
+        stop_(stop),
         callbacks_(callbacks),
         evaluator_(study, workers, stop, journal),
         box_(warm_point(study.space, study.warm ? *study.warm : at_start(study))) {}
@@ -58,10 +61,17 @@ class Run {
   long most_in(Engine engine) const {
     return study_.max_evaluations - (engine == Engine::kSimbody ? 0 : kept_evaluations(study_));
   }
+  /// Returns the number of evaluations so far, perturbed copies included.
+  long spent() const { return out_.evaluations + out_.copies; }
   /// Returns how many evaluations are left until the run has `most`; 0 if time is up.
   std::size_t evaluations_left(long most);
   void conclude_budget();
   bool begin_warm();
+  /// Returns the time that is left to the search [s]. It is computed from the time of the latest evaluation,
+  /// because this is the same in a resumed run.
+  double rest() const { return std::max(0.0, 60.0 * study_.max_minutes - kept_ - seconds_); }
+  /// Ends the time budget of a phase: from now on, all the time that is left to the search may be used.
+  void use_rest() { evaluator_.use(engine_ == Engine::kSimbody ? Minutes::kRun : Minutes::kSearch, kept_); }
   /// Returns a search that starts at x, with the bounds of box_ and the study's options.
   JoinedSearch search_from(const std::vector<double>& x);
   /// Runs the global search with its share of evaluations and minutes. Returns false if it was interrupted.
@@ -70,8 +80,12 @@ class Run {
   bool search_together(const char* phase, const std::vector<JoinedSearch>& searches, long most);
   void serve(const char* phase, std::vector<Request>& requests, long most);
   void conclude(const std::vector<SolverOutcome>& outcomes);
+  /// Runs the final phase until the run has `most` evaluations. Sets the reason why it ended.
+  void search_finally(long most);
 
   const Study& study_;
+  CandidateRunner& workers_;
+  const std::atomic<bool>& stop_;
   const TuneCallbacks& callbacks_;
   Evaluator evaluator_;
   WarmPoint box_;                     ///< start and bounds of the search
@@ -87,6 +101,7 @@ class Run {
 
 void Run::take_in(const char* phase, Evaluation e) {
   const bool first = out_.evaluations++ == 0;
+  e.copies = out_.copies;
   seconds_ = std::max(seconds_, e.seconds);
   auto& objective = seen().objective;
   if (!objective) {
@@ -103,7 +118,7 @@ void Run::take_in(const char* phase, Evaluation e) {
   last_ = e;
   if (callbacks_.evaluated) callbacks_.evaluated(phase, e);
   if (callbacks_.progress) {
-    callbacks_.progress({phase, out_.evaluations, study_.max_evaluations, &e, &seen().best().front()});
+    callbacks_.progress({phase, spent(), study_.max_evaluations, &e, &seen().best().front()});
   }
 }
 
@@ -138,15 +153,16 @@ bool Run::sweep() {
 }
 
 std::size_t Run::evaluations_left(long most) {
-  if (out_.evaluations >= most || !evaluator_.time_left()) return 0;
-  return static_cast<std::size_t>(most - out_.evaluations);
+  if (spent() >= most || !evaluator_.time_left()) return 0;
+  return static_cast<std::size_t>(most - spent());
 }
 
 /// Sets the reason why the search ended: its evaluations or its time were used up.
 void Run::conclude_budget() {
   const bool time = evaluator_.time_was_up();
   out_.ended = time ? SearchEnd::kTime : SearchEnd::kEvaluations;
-  out_.reason = fmt::format("{} used up after {} evaluations", time ? "time" : "budget", out_.evaluations);
+  out_.reason = fmt::format("{} used up after {} evaluations{}", time ? "time" : "budget", out_.evaluations,
+                            out_.copies > 0 ? fmt::format(" and {} perturbed copies", out_.copies) : "");
 }
 
 void Run::serve(const char* phase, std::vector<Request>& requests, long most) {
@@ -207,11 +223,9 @@ bool Run::search_globally(JoinedSearch search) {
   search.options.algorithm = global_of(study_);
   const long left = std::max(0L, most_in(engine_) - out_.evaluations);
   const long share = std::lround(study_.global_share * static_cast<double>(left));
-  // The time of the latest evaluation is used, because it is the same in a resumed run.
-  const double rest = std::max(0.0, 60.0 * study_.max_minutes - kept_ - seconds_);
-  evaluator_.use(Minutes::kGlobal, kept_ + (1.0 - study_.global_share) * rest);
+  evaluator_.use(Minutes::kGlobal, kept_ + (1.0 - study_.global_share) * rest());
   const bool whole = search_together("global", {search}, out_.evaluations + share);
-  evaluator_.use(engine_ == Engine::kSimbody ? Minutes::kRun : Minutes::kSearch, kept_);
+  use_rest();
   return whole;
 }
 
@@ -228,12 +242,48 @@ void Run::search() {
     searches[s].problem.start = others[s - 1];
     searches[s].options.seed += s;
   }
-  search_together("search", searches, most_in(engine_));
+  const long most = most_in(engine_);
+  const long kept = final_evaluations(study_, most - out_.evaluations);
+  if (kept > 0) evaluator_.use(Minutes::kLocal, kept_ + study_.final_share * rest());
+  const bool whole = search_together("search", searches, most - kept);
+  if (kept == 0) return;
+  if (whole) search_finally(most);
+  use_rest();
+}
+
+void Run::search_finally(long most) {
+  if (!seen().best_inside() || !seen().best_inside()->completed) return;
+  const Evaluation best = *seen().best_inside();
+  evaluator_.use(Minutes::kFinal, kept_);
+  // The time is checked once after each evaluation. A resumed run then ends at the same one.
+  bool time = evaluator_.time_left();
+  FinalPhaseRollouts rollouts;
+  rollouts.differentiate = [&](const std::vector<double>& x) -> std::optional<MetricDerivatives> {
+    const long copies = copies_per_iteration(study_);
+    if (!time || spent() + copies >= most) return std::nullopt;
+    auto derivatives = metric_derivatives(study_, x, metrics_in_use(study_), workers_, stop_);
+    if (derivatives) out_.copies += copies;
+    out_.interrupted = !derivatives;
+    return derivatives;
+  };
+  rollouts.evaluate = [&](const std::vector<double>& x) -> const Evaluation* {
+    if (!time || spent() >= most) return nullptr;
+    out_.interrupted = evaluator_.stopped() || !evaluate({{"final", x}});
+    if (out_.interrupted) return nullptr;
+    time = evaluator_.time_left();
+    return &*last_;
+  };
+  const MinimaxEnd ended = run_final_phase(study_, *seen().objective, best, box_, rollouts).ended;
+  if (out_.interrupted) return interrupt();
+  if (ended == MinimaxEnd::kStopped) return conclude_budget();
+  out_.ended = SearchEnd::kConverged;
+  out_.reason = ended == MinimaxEnd::kRadius ? "the final phase's steps became shorter than x_tolerance"
+                                             : "the final phase's model predicts no further improvement";
 }
 
 void Run::verify() {
   if (engine_ == Engine::kSimbody || out_.interrupted) return;
-  const long most = std::min(study_.max_evaluations, out_.evaluations + kept_evaluations(study_));
+  const long most = std::min(study_.max_evaluations, spent() + kept_evaluations(study_));
   const std::string searched = out_.reason;
   const SearchEnd ended = out_.ended;
   // These few points are simulated even if time is up, because there is no result without them.

@@ -1,8 +1,9 @@
 #pragma once
 // Searches for better gains (`armtune tune`). First, the start gains and a coarse sweep are evaluated. Then a
-// global search follows, if the study has one, and then local searches from one or more points. If the study
-// searches in armtune's own dynamics (the native engine), Simbody still simulates the start gains first, and
-// evaluates and refines the result.
+// global search follows, if the study has one, and then local searches from one or more points. A final phase
+// (final_phase.hpp), if the study has one, improves the best gains. If the study searches in armtune's own
+// dynamics (the native engine), Simbody still simulates the start gains first, and evaluates and refines the
+// result.
 
 #include <array>
 #include <atomic>
@@ -18,7 +19,7 @@ namespace armtune::internal {
 
 struct TuneProgress {
   const char* phase = "";
-  long evaluations = 0;
+  long evaluations = 0;  ///< perturbed copies (TuneResult::copies) included
   long max_evaluations = 0;
   const Evaluation* last = nullptr;
   const Evaluation* best = nullptr;
@@ -29,7 +30,7 @@ struct TuneCallbacks {
   std::function<void(const Objective&)> begin;
   /// Called for every evaluation, in order, also for those recalled from a journal. One call at a time, from
   /// any thread. `phase` is one of these:
-  ///   - start, sweep, global, search;
+  ///   - start, sweep, global, search, final;
   ///   - warm: the point where a warm start begins;
   ///   - gradient: points for the finite differences of a search;
   ///   - verify: the best gains of a search in another engine, simulated in Simbody; also points between the
@@ -55,6 +56,9 @@ struct TuneResult {
   /// gains becomes the best. If there is none, the gains with the fault remain the best.
   Evaluation best;
   long evaluations = 0;
+  /// Number of gain sets that were simulated for derivatives only (final_phase.hpp). Each counts as one of
+  /// the study's evaluations. `evaluations` does not contain them.
+  long copies = 0;
   bool interrupted = false;
   SearchEnd ended = SearchEnd::kConverged;  ///< why the search ended
   std::string reason;                       ///< the same in words

@@ -6,6 +6,7 @@
 
 #include "sim/controller_files/parameter_file.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/scenario/arm_distribution.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/robustness/drawn_arm.hpp"
@@ -13,6 +14,7 @@
 #include "tuner/rollouts/simulate.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/write_run_record.hpp"
+#include "tuner/session/recorded_distribution.hpp"
 #include "tuner/session/report_files.hpp"
 #include "tuner/verdict/yield_check.hpp"
 
@@ -48,6 +50,7 @@ std::vector<std::string> MonteCarloSession::inputs() const {
   std::vector<std::string> inputs;
   if (!settings_.gains_path.empty()) inputs = files_of_gains(settings_.gains_path);
   add_inputs(settings_.scenarios, inputs);
+  add_distribution(settings_.options.perturbation, inputs);
   return inputs;
 }
 
@@ -65,11 +68,14 @@ RunHeader MonteCarloSession::header() const {
   const MonteCarloOptions& options = settings_.options;
   std::vector<std::string> files;
   add_inputs(settings_.scenarios, files);
+  add_distribution(options.perturbation, files);
   std::string uncertainty;
   for (const PerturbationField& f : perturbation_fields()) {
     uncertainty += fmt::format("{}: {}\n", f.name, options.perturbation.*f.width);
   }
   uncertainty += fmt::format("phases: {}\n", options.perturbation.phases);
+  if (options.perturbation.distribution)
+    uncertainty += fmt::format("distribution: {}\n", hash_of_input(options.perturbation.distribution->file));
   std::string names;  // the order of the results in a record
   for (const Scenario& scenario : settings_.scenarios) names += scenario.name + '\n';
   std::string limits;
@@ -97,7 +103,7 @@ void MonteCarloSession::begin() {
 void MonteCarloSession::keep_samples() {
   MonteCarloOptions& options = settings_.options;
   rows_.emplace(folder() + "/samples.csv", AppendFile::Open::kReplace);
-  rows_->append(samples_header(settings_.scenarios), false);
+  rows_->append(samples_header(settings_.scenarios, options), false);
   options.known = [this](std::uint64_t number) {
     auto record = run_->journal().find(number);
     return record ? std::optional(std::move(record->results)) : std::nullopt;
@@ -148,6 +154,7 @@ void MonteCarloSession::write_results(int workers) {
   record.robustness = {static_cast<long>(outcome_.samples.size()), options.stepper, options.engine, {}};
   for (const MetricLimit& limit : options.limits)
     record.robustness->limits.push_back({name(limit.metric), limit.upper, limit.value});
+  record.distribution = distribution_facts(options.perturbation);
   write_run_record(folder(), std::move(record), {inputs()});
   outcome_.files = {"samples.csv", "summary.csv", kRunRecord, "inputs/"};
   if (settings_.writes_arm && outcome_.samples.size() == 1) write_arm();

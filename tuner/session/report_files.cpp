@@ -11,6 +11,13 @@
 #include "tuner/rollouts/simulate.hpp"
 
 namespace armtune::internal {
+namespace {
+
+void warn_of_no_report(const std::exception& error, SessionObserver& observer) {
+  observer.warned(fmt::format("the run is finished, but its report was not written: {}", error.what()));
+}
+
+}  // namespace
 
 void warn_of_left_out(const report::Written& written, SessionObserver& observer) {
   for (const std::string& why : written.left_out) observer.warned("left out of the report: " + why);
@@ -30,13 +37,23 @@ std::vector<std::string> add_report(const std::string& folder, const std::functi
   try {
     write_scene(folder, scene());
     written.emplace_back(kScene);
-    if (!report::available()) return written;
-    warn_of_left_out(report::write_report(folder, folder + "/" + kReport), observer);
-    written.emplace_back(kReport);
   } catch (const std::exception& error) {
-    observer.warned(fmt::format("the run is finished, but its report was not written: {}", error.what()));
+    warn_of_no_report(error, observer);
+    return written;
   }
+  if (add_page(folder, observer)) written.emplace_back(kReport);
   return written;
+}
+
+bool add_page(const std::string& folder, SessionObserver& observer) {
+  if (!report::available()) return false;
+  try {
+    warn_of_left_out(report::write_report(folder, folder + "/" + kReport), observer);
+    return true;
+  } catch (const std::exception& error) {
+    warn_of_no_report(error, observer);
+    return false;
+  }
 }
 
 report::SceneSet record_set(const std::string& name, const std::string& folder, const std::string& below,

@@ -24,6 +24,10 @@ inline constexpr const char* kReport = "report.html";
 std::vector<std::string> add_report(const std::string& folder, const std::function<report::Scene()>& scene,
                                     SessionObserver& observer);
 
+/// Writes report.html of a run without a scene. Returns true if it was written. Only warns where add_report()
+/// does.
+bool add_page(const std::string& folder, SessionObserver& observer);
+
 /// Writes scene.json when a run begins. Thus a report has a replay even if it is made during the run, or
 /// after the run was killed. `add_report` rewrites the file at the end. Throws InputError if it cannot be
 /// written.

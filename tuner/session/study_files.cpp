@@ -9,13 +9,15 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "tuner/session/recorded_distribution.hpp"
 
 namespace armtune::internal {
 
 std::string search_text(const Study& study) {
-  return fmt::format("{}{}{}", global_of(study).empty() ? "" : global_of(study) + ", then ",
+  return fmt::format("{}{}{}{}", global_of(study).empty() ? "" : global_of(study) + ", then ",
                      study.solver.algorithm,
-                     study.starts > 1 ? fmt::format(" from {} starts", study.starts) : "");
+                     study.starts > 1 ? fmt::format(" from {} starts", study.starts) : "",
+                     study.final_phase ? ", then a minimax model" : "");
 }
 
 std::string engine_text(Engine searched_in) {
@@ -47,7 +49,7 @@ std::vector<std::string> files_of(const Study& study) {
     for (std::string& file : files_of_gains(study.gains)) files.push_back(std::move(file));
   }
   if (study.warm) files.push_back(study.warm->source);
-  add_inputs(study.scenarios, files);
+  for (std::string& file : inputs_of(study)) files.push_back(std::move(file));
   return files;
 }
 
@@ -64,6 +66,7 @@ std::vector<std::pair<std::string, std::string>> identity_of(const Study& study)
 std::vector<std::string> inputs_of(const Study& study) {
   std::vector<std::string> inputs;
   add_inputs(study.scenarios, inputs);
+  if (study.robust) add_distribution(study.robust->perturbation, inputs);
   return inputs;
 }
 
@@ -77,6 +80,7 @@ RunRecord record_of_search(const Study& study, const Invocation& invocation, int
   search.study = shown_path(study.source);
   search.start = study.given ? "armtune's first gains" : stem(study.gains);
   search.stepper = study.stepper;
+  if (study.robust) run.distribution = distribution_facts(study.robust->perturbation);
   return run;
 }
 

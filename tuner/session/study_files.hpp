@@ -36,9 +36,9 @@ double seconds_left(long evaluations, long max_evaluations, double seconds, doub
 /// Returns every file from which the study was read: its own file, its gains, the warm start's gains, and the
 /// files of its scenarios.
 std::vector<std::string> files_of(const Study& study);
-/// Returns everything on which a study's results depend, except the files of its scenarios.
+/// Returns everything on which a study's results depend, except the contents of the files of inputs_of().
 std::vector<std::pair<std::string, std::string>> identity_of(const Study& study);
-/// Returns the files of the study's scenarios.
+/// Returns the files of the study's scenarios and, if it has one, that of the distribution of its arms.
 std::vector<std::string> inputs_of(const Study& study);
 
 /// Returns the record of a search, with everything that its study determines. The caller sets the kind of the

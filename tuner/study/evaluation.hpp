@@ -26,6 +26,7 @@ struct Evaluation {
   Engine engine = Engine::kSimbody;    ///< engine that computed the results
   double seconds = 0.0;                ///< wall time of the run when the evaluation was finished [s]
   bool recalled = false;               ///< true if it comes from the journal of a resumed run
+  long copies = 0;  ///< perturbed copies that the run had simulated for derivatives by then
 };
 
 /// Returns the value that a search with penalties minimises: the objective plus `penalty` times the sum of

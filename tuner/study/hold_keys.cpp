@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "armtune/error.hpp"
+#include "sim/scenario/arm_distribution.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune::internal {
@@ -18,6 +20,21 @@ double read_threshold(yaml::MapReader& map, const ThresholdField& field, double 
   if (field.whole && value != std::floor(value))
     map.required(field.name).fail(fmt::format("{} must be a whole number", value), "a whole number");
   return value;
+}
+
+void read_widths(const yaml::Node& node, Perturbation& perturbation) {
+  yaml::MapReader map(node);
+  for (const PerturbationField& f : perturbation_fields()) {
+    perturbation.*f.width = map.number(f.name, perturbation.*f.width);
+    const yaml::Node* width = map.optional(f.name);
+    try {
+      validate(perturbation, "uncertainty");
+    } catch (const InputError& e) {
+      (width == nullptr ? node : *width).fail(e.what(), e.limit());
+    }
+  }
+  perturbation.phases = map.boolean("phases", perturbation.phases);
+  map.finish();
 }
 
 /// Adds one constraint for each margin, over its corners. The corners come after the study's scenarios.
@@ -56,20 +73,10 @@ SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scen
   set.level = map.number_in("level", set.level, 0.0, 1.0);
   if (set.level <= 0.0 || set.level >= 1.0)
     map.required("level").fail("must lie between 0 and 1, both excluded", "between 0 and 1, both excluded");
-  if (const yaml::Node* widths = map.optional("uncertainty")) {
-    yaml::MapReader uncertainty(*widths);
-    for (const PerturbationField& f : perturbation_fields()) {
-      set.perturbation.*f.width = uncertainty.number(f.name, set.perturbation.*f.width);
-      const yaml::Node* width = uncertainty.optional(f.name);
-      try {
-        validate(set.perturbation, "uncertainty");
-      } catch (const InputError& e) {
-        (width == nullptr ? *widths : *width).fail(e.what(), e.limit());
-      }
-    }
-    set.perturbation.phases = uncertainty.boolean("phases", set.perturbation.phases);
-    uncertainty.finish();
-  }
+  if (const yaml::Node* file = map.optional("distribution"))
+    draw_from(load_arm_distribution(file_beside(file->as_string(), file->file()), scenarios),
+              set.perturbation);
+  if (const yaml::Node* widths = map.optional("uncertainty")) read_widths(*widths, set.perturbation);
   map.finish();
   return set;
 }

@@ -8,7 +8,8 @@
 namespace armtune::internal {
 
 /// Returns the set of random arms that the keys of `robust` describe. Each arm differs at random from the arm
-/// of the scenario. Throws InputError with file, line and key.
+/// of the scenario. The path of `distribution` is relative to the file of the node. Throws InputError with
+/// file, line and key.
 SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scenarios);
 
 /// Adds the demands of the keys of `margins` to the study. For each demand, also adds one constraint over all

@@ -71,6 +71,10 @@ class Objective {
   const std::vector<Constraint>& constraints() const { return constraints_; }
   /// Returns the limit of constraint c in simulated scenario s.
   double limit(std::size_t c, std::size_t s) const;
+  /// Returns the value with which a term scores 1 in simulated scenario s.
+  double reference(const ObjectiveTerm& term, std::size_t s) const {
+    return std::max(term.floor, start_[s][term.metric]);
+  }
   /// Returns a name such as "joint_velocity/max_ratio <= 0.9".
   std::string constraint_name(std::size_t c) const;
   /// Returns the number of values in Evaluation::constraints: one for each constraint, and a last one that is
@@ -85,9 +89,6 @@ class Objective {
   /// Returns a measure, from 0 to 1, of how far the constraints are broken. It is w / (1 + w), where w is the
   /// largest relative excess among the constraints that can be hopeless. It is 0 if none of them is broken.
   double how_far(const RolloutResult& result, std::size_t s) const;
-  double reference(const ObjectiveTerm& term, std::size_t s) const {
-    return std::max(term.floor, start_[s][term.metric]);
-  }
   /// Returns the score of a term in one scenario, relative to the start.
   double score(const ObjectiveTerm& term, const RolloutResult& result, std::size_t s) const;
   /// Returns by how much constraint c is broken in one scenario, in the metric's unit. A value of zero or

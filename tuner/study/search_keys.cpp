@@ -68,6 +68,31 @@ void read_engine(yaml::MapReader& map, Study& study) {
   }
 }
 
+void read_final_phase(yaml::MapReader& map, Study& study) {
+  const std::string phase = map.string("final_phase", "none");
+  if (phase != "none" && phase != "minimax") map.required("final_phase").fail_choice({"none", "minimax"});
+  study.final_phase = phase == "minimax";
+  if (study.final_phase && study.own_objective) {
+    map.required("final_phase")
+        .fail(
+            "the final phase models the metrics of the terms, but the study has an objective of your own; "
+            "leave the key out",
+            "none");
+  }
+  if (study.final_phase && study.stepper == Stepper::kReference) {
+    map.required("final_phase")
+        .fail(
+            "the final phase needs derivatives from the native engine, which does not have the stepper "
+            "'reference'; give another stepper, or leave the key out",
+            "none");
+  }
+  study.final_share = map.number_in("final_share", study.final_share, 0.0, 1.0);
+  if (map.has("final_share") && !study.final_phase) {
+    map.required("final_share")
+        .fail("the study has no final phase; give final_phase: minimax, or leave this key out");
+  }
+}
+
 void read_differences(yaml::MapReader& map, SolverOptions& solver) {
   const std::string differences = map.string("differences", "forward");
   if (differences != "forward" && differences != "central") {
@@ -122,6 +147,7 @@ void read_search(const yaml::Node& node, Study& study) {
     map.required("global_share")
         .fail("the study has no global search; name one with 'global', or leave this key out");
   }
+  read_final_phase(map, study);
   // Studies and run folders of earlier versions have this key. It changed no result, so it is ignored.
   map.boolean("end_outdone", true);
   map.finish();

@@ -47,6 +47,8 @@ struct Study {
   std::string global_algorithm;         ///< global search before the local one; empty: no global search
   bool global_by_default = false;       ///< true if the study's file named no algorithm at all
   double global_share = 0.5;   ///< global search's share of the evaluations that start gains and sweep leave
+  bool final_phase = false;    ///< true: a last phase models every metric separately (final_phase.hpp)
+  double final_share = 0.5;    ///< its share of the evaluations that are left to it and the local searches
   long max_evaluations = 300;  ///< those of the start gains and the sweep included
   double max_minutes = 0.0;    ///< wall time from the start to the last evaluation [min]; 0: no limit
   Stepper stepper = Stepper::kMidpoint;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sim/scenario/arm_distribution.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
 #include "tuner/study/study.hpp"
@@ -105,9 +106,12 @@ std::string margins_yaml(const Study& study) {
 std::string robust_yaml(const Study& study) {
   if (!study.robust) return {};
   std::string text =
-      fmt::format("robust:\n  samples: {}\n  seed: {}\n  measure: {}\n  level: {}\n  uncertainty:\n",
-                  study.robust->samples, study.robust->seed,
-                  risk_measure_names()[static_cast<std::size_t>(study.robust->measure)], study.robust->level);
+      fmt::format("robust:\n  samples: {}\n  seed: {}\n  measure: {}\n  level: {}\n", study.robust->samples,
+                  study.robust->seed, risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
+                  study.robust->level);
+  if (const auto& distribution = study.robust->perturbation.distribution)
+    text += fmt::format("  distribution: {}\n", yaml::quoted(portable_reference(distribution->file)));
+  text += "  uncertainty:\n";
   for (const PerturbationField& f : perturbation_fields()) {
     text += fmt::format("    {}: {}\n", f.name, study.robust->perturbation.*f.width);
   }
@@ -128,7 +132,7 @@ std::string search_yaml(const Study& study) {
       "search: {{algorithm: {}, constraints: {}, penalty: {}, max_evaluations: {}, max_minutes: {}, "
       "initial_step: {}, x_tolerance: {}, "
       "objective_tolerance: {}, seed: {}, stepper: {}, differences: {}, difference_step: {}, starts: "
-      "{}{}{}}}\n",
+      "{}{}{}{}}}\n",
       study.solver.algorithm, constraint_handling_name(study.solver.constraints), study.solver.penalty,
       study.max_evaluations, study.max_minutes, study.solver.initial_step, study.solver.x_tolerance,
       study.solver.objective_tolerance, study.solver.seed, name(study.stepper),
@@ -139,7 +143,8 @@ std::string search_yaml(const Study& study) {
           : fmt::format(", engine: {}, verify_share: {}", name(study.engine), study.verify_share),
       global_of(study).empty()
           ? ""
-          : fmt::format(", global: {}, global_share: {}", global_of(study), study.global_share));
+          : fmt::format(", global: {}, global_share: {}", global_of(study), study.global_share),
+      study.final_phase ? fmt::format(", final_phase: minimax, final_share: {}", study.final_share) : "");
 }
 
 std::string warm_start_yaml(const Study& study, const std::string& warm_file) {

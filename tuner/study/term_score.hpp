@@ -24,4 +24,7 @@ inline constexpr double kLargestRatio = 10.0;
 ///   decreases strictly with r.
 double term_score(Metric metric, double value, double reference);
 
+/// Returns the derivative of term_score by the value. From the largest score on it is 0.
+double term_slope(Metric metric, double value, double reference);
+
 }  // namespace armtune::internal

@@ -82,8 +82,18 @@ void add_frozen(const JointLog& log, Eigen::Index joint, double longest, std::ve
   const auto add = [&](const LogFinding& found) {
     if (found.value > longest) out.push_back(found);
   };
-  if (log.has_torques())
-    add(longest_frozen(log, log.torque, joint, LogFindingKind::kTorqueFrozen, position_moves));
+  // A torque that stays at the value at which it is clipped is no frozen channel.
+  const auto is_clipped = [&](double torque) {
+    return std::any_of(out.begin(), out.end(), [&](const LogFinding& one) {
+      return one.kind == LogFindingKind::kTorqueClipped && one.joint == joint && one.value == torque;
+    });
+  };
+  if (log.has_torques()) {
+    add(longest_frozen(log, log.torque, joint, LogFindingKind::kTorqueFrozen,
+                       [&](Eigen::Index i, Eigen::Index end) {
+                         return position_moves(i, end) && !is_clipped(log.torque(i, joint));
+                       }));
+  }
   if (!log.has_velocities()) return;
   add(longest_frozen(
       log, log.qd, joint, LogFindingKind::kVelocityFrozen, [&](Eigen::Index i, Eigen::Index end) {

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tuner/validation/channel_checks.hpp"
+#include "tuner/validation/torque_slopes.hpp"
 #include "tuner/validation/torque_timing.hpp"
 
 namespace armtune::internal {
@@ -22,9 +24,11 @@ void add_timing(const TorqueRows& rows, const ValidationThresholds& thresholds,
                 std::vector<LogFinding>& out) {
   const TorqueTiming timing = torque_timing(rows);
   const bool filtered = timing.filter_gain < kFilterOverDelay * timing.delay_gain;
-  if (filtered && timing.filter_gain < thresholds.offset_gain &&
-      timing.time_constant > thresholds.time_offset) {
-    out.push_back({.kind = LogFindingKind::kTorqueFiltered, .value = timing.time_constant});
+  if (filtered) {
+    // The filters of this comparison, of 20 Hz, smooth reversals of friction like a time constant of some 10
+    // ms.
+    if (timing.filter_gain < thresholds.offset_gain && timing.time_constant > thresholds.filter_time)
+      out.push_back({.kind = LogFindingKind::kTorqueFiltered, .value = timing.time_constant});
   } else if (timing.delay_gain < thresholds.offset_gain && std::abs(timing.delay) > thresholds.time_offset) {
     out.push_back({.kind = LogFindingKind::kTorqueOffset, .value = timing.delay});
   }
@@ -51,6 +55,20 @@ std::optional<LogMistake> mistake_in(const RobotModel& model, const JointLog& lo
     instants.push_back(std::move(at));
   }
   return compare_with_robot_file(model, instants, noise.torque_noise()).mistake;
+}
+
+/// Returns true if a finding makes every torque wrong. Signs, mounting and times cannot be judged then.
+bool spoils_torques(const LogFinding& finding, double duration, const ValidationThresholds& thresholds) {
+  switch (finding.kind) {
+    case LogFindingKind::kPositionUnit:
+    case LogFindingKind::kRate:
+      return true;
+    case LogFindingKind::kTorqueFrozen:
+    case LogFindingKind::kPositionFrozen:
+      return finding.value > thresholds.frozen_share * duration;
+    default:
+      return false;
+  }
 }
 
 /// Returns the fitted direction of gravity if it explains more than any other cause, and all causes together
@@ -111,6 +129,31 @@ std::string velocity_text(const LogFinding& finding, const RobotModel& model) {
 
 }  // namespace
 
+const char* name(LogFindingKind kind) {
+  constexpr std::array kNames = {"rate",
+                                 "velocity_scale",
+                                 "velocity_sign",
+                                 "velocity_order",
+                                 "velocity_other",
+                                 "velocity_offset",
+                                 "torque_offset",
+                                 "torque_filtered",
+                                 "torque_clipped",
+                                 "torque_frozen",
+                                 "velocity_frozen",
+                                 "position_frozen",
+                                 "jump",
+                                 "position_unit",
+                                 "tilt",
+                                 "mistake",
+                                 ""};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+const char* kind_of(const LogFinding& finding) {
+  return finding.mistake ? name(finding.mistake->kind) : name(finding.kind);
+}
+
 std::vector<LogFinding> motion_findings(const RobotModel& model, const JointLog& log,
                                         const LoggedMotion& motion, const ValidationThresholds& thresholds) {
   std::vector<LogFinding> out = channel_findings(model, log, motion, thresholds);
@@ -125,13 +168,15 @@ std::vector<LogFinding> log_findings(const RobotModel& model, const JointLog& lo
                                      const TorqueRows& rows, const Misfit& misfit,
                                      const ValidationThresholds& thresholds) {
   std::vector<LogFinding> out = motion_findings(model, log, motion, thresholds);
-  // A position in degrees makes every torque wrong, so that signs and mounting cannot be judged.
-  const bool wrong_unit = std::any_of(out.begin(), out.end(), [](const LogFinding& finding) {
-    return finding.kind == LogFindingKind::kPositionUnit || finding.kind == LogFindingKind::kRate;
+  const double duration = log.time.back() - log.time.front();
+  const bool spoiled = std::any_of(out.begin(), out.end(), [&](const LogFinding& finding) {
+    return spoils_torques(finding, duration, thresholds);
   });
-  if (wrong_unit) return out;
-  const auto tilt = tilt_of(misfit, matching_joints(model, torque_residuals(rows, thresholds), thresholds));
-  const auto mistake = mistake_in(model, log, motion, rows);
+  if (spoiled) return out;
+  const std::vector<bool> matches = matching_joints(model, torque_residuals(rows, thresholds), thresholds);
+  const auto tilt = tilt_of(misfit, matches);
+  auto mistake = mistake_in(model, log, motion, rows);
+  if (!mistake && !tilt && suggests_another_arm(model, rows, misfit, matches, thresholds)) mistake.emplace();
   if (mistake && (!tilt || mistake->kind == MistakeKind::kMounting)) {
     out.push_back(
         {.joint = mistake->joint, .other = mistake->other, .value = mistake->value, .mistake = mistake});

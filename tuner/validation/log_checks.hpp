@@ -31,6 +31,9 @@ enum class LogFindingKind {
   kMistake,         ///< one of log_mistakes.hpp
 };
 
+/// Returns the kind as a word for files, such as "torque_filtered".
+const char* name(LogFindingKind kind);
+
 struct LogFinding {
   LogFindingKind kind = LogFindingKind::kMistake;
   int joint = -1;  ///< -1: all
@@ -41,6 +44,9 @@ struct LogFinding {
   Vec3 direction = Vec3::Zero();
   std::optional<LogMistake> mistake = {};
 };
+
+/// Returns the kind as a word for files; of one of log_mistakes.hpp, the name of the mistake.
+const char* kind_of(const LogFinding& finding);
 
 /// Returns what is wrong with a log; empty if nothing is. Takes up to some seconds if signs and order have to
 /// be searched. motion, rows, misfit: computed from the same log and model.

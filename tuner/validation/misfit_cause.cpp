@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tuner/validation/residual_moments.hpp"
@@ -181,6 +182,12 @@ class Selection {
 };
 
 }  // namespace
+
+const char* name(CauseKind kind) {
+  constexpr std::array kNames = {"offset",       "coulomb_friction", "viscous_friction",  "rotor_inertia",
+                                 "torque_scale", "payload",          "gravity_direction", ""};
+  return kNames[static_cast<std::size_t>(kind)];
+}
 
 Misfit misfit_causes(const RobotModel& model, const TorqueRows& rows,
                      const ValidationThresholds& thresholds) {

@@ -24,6 +24,9 @@ enum class CauseKind {
                       ///< frame [m/s^2]
 };
 
+/// Returns the kind as a word for files, such as "coulomb_friction".
+const char* name(CauseKind kind);
+
 struct MisfitCause {
   CauseKind kind = CauseKind::kOffset;
   int joint = -1;      ///< -1: the whole arm

@@ -21,11 +21,15 @@ struct ValidationThresholds {
   double moving = 0.05;          ///< RMS speed from which a joint's velocities are compared [rad/s, m/s]
   double time_offset = 0.006;    ///< time offset between channels that is reported [s]
   double offset_gain = 0.8;      ///< factor on the residuals' RMS below which a time offset is believed
+  double filter_time = 0.03;     ///< time constant of a filter on the torques that is reported [s]
   double clipped_share = 0.005;  ///< share of a channel's samples at the same extreme value
   double frozen_time = 0.5;      ///< time for which a channel of a moving joint may keep one value [s]
   double jump_speed = 3.0;       ///< speed between two samples, as a multiple of the joint's velocity limit
   double jump_size = 0.01;       ///< least jump of a position between two samples [rad, m]
   double gap = 5.0;              ///< time between two samples that counts as a gap, in sampling periods
+  double frozen_share = 0.1;     ///< share of the log from which on a frozen channel spoils its other checks
+  double loaded = 0.05;    ///< RMS predicted torque, as a share of the effort limit, of joints under load
+  double other_arm = 0.6;  ///< slope of measured over predicted torque of loaded joints of another arm
   double outside_limits = 3.0;   ///< position, as a multiple of its limit, that suggests degrees
   double torque_horizon = 0.1;   ///< time ahead by which motions under torque commands are judged [s]
   double torque_motion = 0.5;    ///< RMS position error then, as a share of that without a model
@@ -44,6 +48,6 @@ struct ValidationThresholdField {
 };
 
 /// Returns every threshold, in the order of the structure.
-const std::array<ValidationThresholdField, 26>& validation_threshold_fields();
+const std::array<ValidationThresholdField, 30>& validation_threshold_fields();
 
 }  // namespace armtune::internal

@@ -1,11 +1,14 @@
 #include "tuner/verdict/yield_check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <tuple>
 
+#include "sim/scenario/arm_distribution.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "tuner/samples/statistics.hpp"
 #include "tuner/study/thresholds.hpp"
 #include "tuner/verdict/assumptions.hpp"
@@ -34,6 +37,31 @@ Cause cause_of(const MonteCarloSample& sample, std::size_t scenario) {
 std::size_t kept_of(const std::vector<MonteCarloSample>& samples) {
   return static_cast<std::size_t>(
       std::count_if(samples.begin(), samples.end(), [](const MonteCarloSample& s) { return s.keeps_all(); }));
+}
+
+std::string distribution_text(const std::string& whose, const Perturbation& perturbation) {
+  const ArmDistribution& from = *perturbation.distribution;
+  std::vector<std::string> not_drawn;
+  std::size_t not_told = 0;
+  for (const ArmParameter& p : from.parameters) {
+    if (!p.is_drawn()) not_drawn.push_back(p.name);
+    if (p.is_drawn() && !p.told) ++not_told;
+  }
+  std::string text = fmt::format("random arms are drawn from the joint distribution of {} parameters in {}",
+                                 from.parameters.size() - not_drawn.size(), shown_path(from.file));
+  if (not_told > 0)
+    text += fmt::format(
+        "; the log of the calibration does not tell {} of them, so they vary about as widely as before it",
+        not_told);
+  if (!not_drawn.empty()) text += fmt::format("; not drawn: {}", fmt::join(not_drawn, ", "));
+  if (perturbation.mass > 0.0 || perturbation.center > 0.0 || perturbation.inertia > 0.0) {
+    text += fmt::format("; the links differ from the robot file by no more than {} random changes", whose);
+  } else {
+    text += "; masses, centres of mass and inertia of the links are those of the robot file";
+  }
+  if (perturbation.payload > 0.0)
+    text += fmt::format("; the arms carry further payloads up to {:.3g} kg", perturbation.payload);
+  return from.note.empty() ? text : fmt::format("{} ({})", text, from.note);
 }
 
 }  // namespace
@@ -74,6 +102,7 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
 }
 
 std::string spread_text(const std::string& whose, const Perturbation& perturbation) {
+  if (perturbation.distribution) return distribution_text(whose, perturbation);
   return fmt::format("the arm differs from its model by no more than {} random changes ({})", whose,
                      perturbation.payload > 0.0
                          ? fmt::format("with payloads up to {:.3g} kg", perturbation.payload)

@@ -24,8 +24,9 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
                                 const MonteCarloOptions& options);
 
 /// Returns the assumption about the random arms, such as "the arm differs from its model by no more than the
-/// default random changes (with payloads up to 5 kg)". whose: the words before "random changes": "the
-/// default", "the study's" or "the given".
+/// default random changes (with payloads up to 5 kg)". If they are drawn from a joint distribution, names its
+/// file instead, and says which parameters were not drawn or not told by a log. whose: the words before
+/// "random changes": "the default", "the study's" or "the given".
 std::string spread_text(const std::string& whose, const Perturbation& perturbation);
 
 }  // namespace armtune::internal

@@ -31,10 +31,10 @@ CandidateRunner::CandidateRunner(std::unique_ptr<RolloutPool> pool, std::optiona
                    [&all](std::size_t a, std::size_t b) { return all[a].periods() > all[b].periods(); });
   for (std::size_t s = 0; s < all.size(); ++s) {
     place_.push_back(place);
-    place += this->samples(s);
+    place += arms_of(s);
   }
   for (const std::size_t s : longest_first) {
-    for (std::size_t k = 0; k < this->samples(s); ++k) units_.push_back({s, k});
+    for (std::size_t k = 0; k < arms_of(s); ++k) units_.push_back({s, k});
   }
 }
 
@@ -45,7 +45,7 @@ std::vector<RolloutResult> CandidateRunner::fold(std::vector<RolloutResult> resu
     if (s >= pool_->plan().drawn) {
       one_each.push_back(std::move(results[place_[s]]));
     } else {
-      one_each.push_back(folded(*samples_, std::span(results).subspan(place_[s], samples(s))));
+      one_each.push_back(folded(*samples_, std::span(results).subspan(place_[s], arms_of(s))));
     }
   }
   return one_each;

@@ -35,6 +35,14 @@ class CandidateRunner {
   long rollouts_done() const { return pool_->rollouts_done(); }
   /// Returns the simulated time of all rollouts together [s].
   double simulated() const { return pool_->simulated(); }
+  /// Returns the pool, for rollouts other than those of whole candidates.
+  RolloutPool& pool() { return *pool_; }
+  /// Returns the number of arms that a scenario is simulated with.
+  std::size_t arms_of(std::size_t scenario) const {
+    return samples_ && scenario < pool_->plan().drawn ? arms(*samples_) : 1;
+  }
+  /// Combines the results of all scenarios, each with all its arms in order, into one result per scenario.
+  std::vector<RolloutResult> fold(std::vector<RolloutResult> results) const;
 
   /// A function that is called once per candidate, as soon as all its scenarios are done. The candidates come
   /// in any order. The function is called from any thread, one call at a time.
@@ -54,13 +62,7 @@ class CandidateRunner {
     std::size_t scenario;
     std::size_t sample;
   };
-  /// Combines one result per rollout into one result per scenario, in the order of the plan's scenarios.
-  std::vector<RolloutResult> fold(std::vector<RolloutResult> results) const;
   std::size_t scenarios() const { return pool_->plan().scenarios.size(); }
-  /// Returns the number of arms that a scenario is simulated with.
-  std::size_t samples(std::size_t scenario) const {
-    return samples_ && scenario < pool_->plan().drawn ? arms(*samples_) : 1;
-  }
 
   std::unique_ptr<RolloutPool> pool_;
   std::optional<SampleSet> samples_;

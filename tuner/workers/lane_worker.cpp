@@ -33,7 +33,7 @@ class LaneWorker::LaneGroup {
   void start(std::shared_ptr<const PreparedScenario> scenario, GivenJob&& one) {
     const int lane = lanes_.free_lane();
     const RolloutJob& job = one.job;
-    lanes_.start(lane, {std::move(scenario), job.gains, job.limits});
+    lanes_.start(lane, {std::move(scenario), job.gains, job.limits, job.series});
     under_way_[static_cast<std::size_t>(lane)].emplace(InLane{std::move(one), {}});
   }
 

@@ -97,6 +97,40 @@ Metric read_metric(ByteReader& reader) {
   return static_cast<Metric>(metric);
 }
 
+void add_series(ByteWriter& writer, const RolloutSeries& series) {
+  const auto& [start, period, metrics, modes] = series;
+  writer.add(start);
+  writer.add(period);
+  writer.add(std::uint64_t{metrics.size()});
+  for (const auto& [metric, channels, values] : metrics) {
+    writer.add(static_cast<std::uint64_t>(metric));
+    writer.add(std::uint64_t{channels});
+    writer.add(std::uint64_t{values.size()});
+    for (const double value : values) writer.add(value);
+  }
+  writer.add(std::uint64_t{modes.size()});
+  for (const PeriodMode mode : modes) writer.add(mode);
+}
+
+RolloutSeries read_series(ByteReader& reader) {
+  RolloutSeries series;
+  series.start = reader.number();
+  series.period = reader.number();
+  for (std::uint64_t left = reader.integer(); left > 0; --left) {
+    MetricSeries& one = series.metrics.emplace_back();
+    one.metric = read_metric(reader);
+    one.channels = reader.integer();
+    const std::uint64_t values = reader.integer();
+    if (one.channels == 0 || values % one.channels != 0) {
+      throw FailedError(fmt::format("in a message between ranks, a series has {} values in {} channels",
+                                    values, one.channels));
+    }
+    for (std::uint64_t i = 0; i < values; ++i) one.values.push_back(reader.number());
+  }
+  for (std::uint64_t left = reader.integer(); left > 0; --left) series.modes.push_back(reader.integer());
+  return series;
+}
+
 }  // namespace
 
 MessageKind kind_of(const std::string& message) {
@@ -138,7 +172,7 @@ std::string job_message(const NumberedJob& job) {
   writer.add(job.pool);
   writer.add(job.share);
   // A new member of RolloutJob must be sent too. Until it is added here, this line does not compile.
-  const auto& [scenario, sample, gains, limits, engine] = job.job;
+  const auto& [scenario, sample, gains, limits, engine, series] = job.job;
   writer.add(std::uint64_t{scenario});
   writer.add(sample);
   add_gains(writer, gains);
@@ -148,6 +182,8 @@ std::string job_message(const NumberedJob& job) {
     writer.add(value);
   }
   writer.add(static_cast<std::uint64_t>(engine));
+  writer.add(std::uint64_t{series.size()});
+  for (const Metric metric : series) writer.add(static_cast<std::uint64_t>(metric));
   return writer.bytes();
 }
 
@@ -169,6 +205,7 @@ NumberedJob read_job(const std::string& message) {
     throw FailedError(fmt::format("a message between ranks has the unknown engine {}", engine));
   }
   job.job.engine = static_cast<Engine>(engine);
+  for (std::uint64_t left = reader.integer(); left > 0; --left) job.job.series.push_back(read_metric(reader));
   reader.end();
   return job;
 }
@@ -189,12 +226,13 @@ std::uint64_t read_stop(const std::string& message) {
 std::string result_message(std::uint64_t number, const RolloutResult& result) {
   ByteWriter writer = begun(MessageKind::kResult);
   writer.add(number);
-  const auto& [status, end_time, reason, metrics] = result;
+  const auto& [status, end_time, reason, metrics, series] = result;
   writer.add(static_cast<std::uint64_t>(status));
   writer.add(end_time);
   writer.add(std::string_view(reason));
   writer.add(std::string_view(metrics.max_ratio_joint));
   for (const double value : metrics.value) writer.add(value);
+  add_series(writer, series);
   return writer.bytes();
 }
 
@@ -210,6 +248,7 @@ std::pair<std::uint64_t, RolloutResult> read_result(const std::string& message) 
   result.reason = reader.text();
   result.metrics.max_ratio_joint = reader.text();
   for (double& value : result.metrics.value) value = reader.number();
+  result.series = read_series(reader);
   reader.end();
   return {number, result};
 }

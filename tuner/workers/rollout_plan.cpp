@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/control/laws/joint_drives.hpp"
+#include "sim/scenario/arm_distribution.hpp"
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
@@ -49,6 +50,8 @@ std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& pla
       facts.emplace_back(field.name, fmt::format("{}", plan.draw->perturbation.*field.width));
     }
     facts.emplace_back("phases", plan.draw->perturbation.phases ? "random" : "fixed");
+    if (const auto& distribution = plan.draw->perturbation.distribution)
+      facts.emplace_back("distribution of the random arms", hash_of_input(distribution->file));
   }
   return facts;
 }

@@ -42,6 +42,7 @@ struct RolloutJob {
   Gains gains;
   EndLimits limits = {};  ///< limits at which the rollout ends early
   Engine engine = Engine::kSimbody;
+  std::vector<Metric> series = {};  ///< metrics whose series the result shall have (rollout_series.hpp)
 };
 
 /// Returns the deadline of a rollout, wall clock [s]. This is `asked` or, if `asked` is 0, the sum of 20 s

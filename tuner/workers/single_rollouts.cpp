@@ -44,7 +44,7 @@ RolloutResult SingleRollouts::run(const RolloutJob& job, const std::function<boo
     if (time.look() > deadline) throw late(job, 1, o.time);
     return !stop();
   };
-  return rollout(job).run(job.gains, observer, job.limits);
+  return rollout(job).run(job.gains, observer, job.limits, job.series);
 }
 
 }  // namespace armtune::internal

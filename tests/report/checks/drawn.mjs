@@ -56,6 +56,13 @@ export async function checkDrawn({ page, data, expect }) {
     expect(plots.length === joints, `${joints} plots of the validation`);
     for (const { title, strong } of plots) expect(strong > 20, `the validation of '${title}' shows lines (${strong} px)`);
   }
+  if (data.calibration !== undefined) {
+    const { joints, parameters } = data.calibration;
+    const plots = await plotted(page, "#calibration .plot");
+    expect(plots.length === joints.length, `${joints.length} plots of the calibration`);
+    for (const { title, strong } of plots) expect(strong > 20, `the calibration of '${title}' shows lines (${strong} px)`);
+    expect((await page.locator("#calibration .scroll tbody tr").count()) === parameters.length, `${parameters.length} parameters`);
+  }
   const cards = data.tables.length + (data.judged?.tables.length ?? 0);
   expect((await page.locator("#numbers .card").count()) === cards, `${cards} tables`);
   const drawings = await page.evaluate(() =>
@@ -71,6 +78,7 @@ export async function checkDrawn({ page, data, expect }) {
     ["margins", "margins"],
     ["plan", "plan"],
     ["validation", "validation"],
+    ["calibration", "calibration"],
     ["yardstick", "yardstick"],
     ["provenance", "provenance"],
   ]) {

@@ -56,6 +56,12 @@ function withMarkup(data) {
   for (const one of changed.robustness?.worst ?? []) one.text += SCRIPT;
   for (const one of [...(changed.validation?.torques ?? []), ...(changed.validation?.motion ?? [])]) one.joint += IMAGE;
   if (changed.validation !== undefined) changed.validation.commands += SCRIPT;
+  for (const one of changed.calibration?.joints ?? []) one.joint += IMAGE;
+  for (const one of changed.calibration?.parameters ?? []) {
+    one.name += IMAGE;
+    one.unit += SCRIPT;
+    one.motion = SCRIPT;
+  }
   changed.provenance.command += CLOSING;
   changed.provenance.entries.push([SCRIPT, IMAGE]);
   return changed;

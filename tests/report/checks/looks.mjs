@@ -86,7 +86,7 @@ export async function takeScreenshots({ browser, address, out, data }) {
       await settle(page, 300);
       await page.screenshot({ path: join(out, `${colorScheme}-replay-${i + 1}.png`) });
     }
-    for (const id of ["numbers", "plan", "validation", "front", "convergence", "gains", "sensitivity", "robustness", "margins", "yardstick", "provenance"]) {
+    for (const id of ["numbers", "plan", "validation", "calibration", "front", "convergence", "gains", "sensitivity", "robustness", "margins", "yardstick", "provenance"]) {
       if ((await page.locator(`#${id}`).count()) === 0) continue;
       await bringIntoView(page, `#${id}`);
       await settle(page, 400);

@@ -72,6 +72,16 @@ TEST(Sensors, AreExactWhereWhatTheyMeasureIsWhatIs) {
   }
 }
 
+TEST(Sensors, WithOffsetsTheyMeasurePositionsThatAreLess) {
+  const JointVector offset = JointVector::LinSpaced(6, 0.0, 0.5);
+  Sensors sensors(0.0, 0.0, 1, offset);
+  JointState measured;
+  sensors.measure(kQ, kQd, measured);
+  EXPECT_EQ(measured.q, kQ - offset);
+  EXPECT_EQ(measured.qd, kQd);
+  EXPECT_FALSE(sensors.exact());
+}
+
 TEST(Sensors, ZeroNoiseDrawsNothing) {
   // Were position noise drawn and multiplied by zero, the velocities' draws would come later in the sequence.
   Sensors quiet(0.0, 1e-2, 5);

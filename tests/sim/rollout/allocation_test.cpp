@@ -1,5 +1,5 @@
-// No allocation inside a control period: sensors, controller, metrics, native plant. Simbody's own work is
-// its own affair.
+// No allocation inside a control period: sensors, controller, metrics and their series, native plant.
+// Simbody's own work is its own affair.
 
 #include <gtest/gtest.h>
 
@@ -31,12 +31,13 @@ TEST_P(RolloutAllocation, NeverHappensInAPeriodOfTheNativeEngine) {
       long first = -1;
       long last = -1;
       int periods = 0;
-      rollout.run(gains, [&](const Observation&) {
+      const auto count = [&](const Observation&) {
         if (first < 0) first = test::allocations();
         last = test::allocations();
         ++periods;
         return true;
-      });
+      };
+      rollout.run(gains, count, {}, all_metrics());
       EXPECT_EQ(periods, scenario.periods());
       EXPECT_EQ(last, first) << set << ", " << name(stepper);
     }
@@ -49,7 +50,7 @@ TEST_P(RolloutAllocation, NeverHappensInAPeriodOfArmsSideBySide) {
   const Scenario& scenario = prepared->scenario;
   RolloutLanes lanes(lane_kind(scenario, Stepper::kMidpoint, scenario.obstacles.size()), 2);
   const auto sets = sets_of(scenario);
-  lanes.start(0, {prepared, load_gains(sets[0], joint_names(*scenario.robot))});
+  lanes.start(0, {prepared, load_gains(sets[0], joint_names(*scenario.robot)), {}, all_metrics()});
   lanes.start(1, {prepared, load_gains(sets[1], joint_names(*scenario.robot))});
   const RolloutLanes::Finished finished = [](int, RolloutResult&&) {};
   lanes.step(finished);

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <random>
+#include <set>
 #include <tuple>
 
 #include "core/robot/slotine_li.hpp"
@@ -13,6 +14,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/identification/log_extremes.hpp"
+#include "tuner/record/declaration.hpp"
 
 namespace armtune::internal {
 namespace log_mistakes_test {
@@ -148,6 +150,68 @@ TEST_F(LogMistakes, AnotherZeroPositionIsNamedWithWhatHasToBeAdded) {
   }
 }
 
+TEST_F(LogMistakes, AWrongGearRatioIsNamedWithItsFactor) {
+  for (const int j : {1, 2}) {  // joints that bear the weight of others
+    for (const double ratio : {0.7, 1.3, 1.8}) {
+      const LogMistake gear = found([j, ratio](LogInstant& at) {
+        for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[j] /= ratio;
+        at.torque[j] *= ratio;
+      });
+      EXPECT_EQ(gear.kind, MistakeKind::kGearRatio) << j << ", " << ratio;
+      EXPECT_EQ(gear.joint, j);
+      // Masses that differ by up to 30 % hide the last percent.
+      EXPECT_NEAR(gear.value, ratio, 0.1 * ratio) << j << ", " << ratio;
+    }
+  }
+}
+
+TEST_F(LogMistakes, ATorqueInAnotherUnitThanTheOthersIsNamed) {
+  for (const int j : {1, 2}) {  // a torque of a wrist is too small to tell
+    for (const double scale : {1e-3, 1e3}) {
+      if (j == 2 && scale < 1.0) continue;  // a forearm without weight explains it as well
+      const LogMistake unit = found([j, scale](LogInstant& at) { at.torque[j] *= scale; });
+      EXPECT_EQ(unit.kind, MistakeKind::kTorqueScale) << j;
+      EXPECT_EQ(unit.joint, j);
+      EXPECT_EQ(unit.value, 1.0 / scale);
+    }
+  }
+}
+
+TEST_F(LogMistakes, APositionInDegreesBesideRadiansIsNamed) {
+  // All were converted from degrees by whoever read the log, as the first one is too large for radians.
+  const int in_degrees = 2;
+  for (LogInstant& at : log_) at.q[in_degrees] += 1.0;
+  const ParameterVector theta = theta_of(differing(model_, 11));
+  Poses poses;
+  SlotineLi motion;
+  for (LogInstant& at : log_) {
+    forward_kinematics(model_.chain, at.q, poses);
+    slotine_li_forward(model_.chain, poses, at.qd, at.qd, at.qdd, motion);
+    slotine_li_torque(model_.chain, poses, motion, theta, at.torque);
+  }
+  const LogMistake mixed = found([](LogInstant& at) {
+    for (int j = 0; j < 6; ++j) {
+      for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[j] *= j == in_degrees ? 1.0 : kDegree;
+    }
+  });
+  EXPECT_EQ(mixed.kind, MistakeKind::kMixedUnits);
+  EXPECT_EQ(mixed.joint, in_degrees);
+}
+
+TEST_F(LogMistakes, TorquesWithoutTheWeightAreNamed) {
+  Chain arm = differing(model_, 13);
+  arm.gravity.setZero();
+  const LogComparison comparison = compare_with_robot_file(model_, log_of(model_, arm, 14), none_);
+  ASSERT_TRUE(comparison.mistake.has_value());
+  EXPECT_EQ(comparison.mistake->kind, MistakeKind::kNoWeight);
+}
+
+TEST(MistakeKinds, HaveDifferentNamesForFiles) {
+  const std::vector<std::string> names = record::names_of<MistakeKind>();
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(MistakeKind::kAnotherArm) + 1);
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+}
+
 TEST_F(LogMistakes, AnotherMountingIsNamedWithTheDirectionOfGravity) {
   for (const Vec3& direction : {Vec3(0.0, 0.0, 1.0), Vec3(0.0, -1.0, 0.0)}) {
     Chain arm = differing(model_, 13);
@@ -273,7 +337,7 @@ TEST(ArmFitter, LeavesNothingOfTheRobotFilesOwnTorquesUnexplained) {
   EXPECT_LT(fit.cost, 1e-10);
   // Turned in sign nothing of it fits.
   TorqueReading turned = TorqueReading::as_logged(model.n());
-  turned.sign *= -1.0;
+  turned.factor *= -1.0;
   EXPECT_GT(ArmFitter(model, JointVector::Zero(model.n())).fit_joints_only(moments, turned).residual.norm(),
             1.9 * std::sqrt(moments.torque_squares.sum()));
 }

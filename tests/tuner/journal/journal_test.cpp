@@ -131,12 +131,17 @@ TEST_F(JournalFile, RemembersWhenTheTimeWasUpAndThatTheRunIsComplete) {
     journal->time_is_up(4, Minutes::kSearch);
     EXPECT_FALSE(journal->time_was_up().has_value()) << "a search's minutes are not the run's";
     journal->time_is_up(6);
+    journal->time_is_up(2, Minutes::kLocal);
+    journal->time_is_up(5, Minutes::kFinal);
     journal->complete(3);
   }
   {
     const auto journal = resumed(path);
     EXPECT_EQ(journal->time_was_up(Minutes::kSearch), 4U);
     EXPECT_EQ(journal->time_was_up(), 6U);
+    EXPECT_EQ(journal->time_was_up(Minutes::kLocal), 2U);
+    EXPECT_EQ(journal->time_was_up(Minutes::kFinal), 5U);
+    EXPECT_FALSE(journal->time_was_up(Minutes::kGlobal).has_value());
     EXPECT_EQ(journal->exit_code(), 3);
     journal->complete(256);
   }

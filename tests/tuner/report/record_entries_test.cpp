@@ -33,6 +33,8 @@ TEST(RecordEntries, ShowTheFactsOfTheRecordByTheirPaths) {
       {"identification/accepted_although/1", "the sign is wrong"},
       {"validation/joints/elbow/explained", "0.97"},
       {"validation/thresholds/explained/value", "0.9"},
+      {"calibration/error_ratio", "0.2"},
+      {"calibration/not_told/delay/needs", "changing_commands"},
       {"versions/eigen/version", "3.4.0"},
       {"machine/hardware_threads", "2"},
       {"inputs/b/c.yaml/hash", "fnv1a-5"},

@@ -46,10 +46,12 @@ TEST(RunRecord, WithoutAnyOptionalMemberItReadsBackAsItWas) {
   parts.tuned.emplace();
   parts.front.emplace();
   parts.robustness.emplace();
+  parts.distribution.emplace();
   parts.margins.emplace();
   parts.plan.emplace();
   parts.identification.emplace();
   parts.validation.emplace();
+  parts.calibration.emplace();
   parts.excitation.emplace();
   parts.yardstick.emplace();
   EXPECT_EQ(read_back(parts), parts);
@@ -67,10 +69,12 @@ TEST(RunRecord, EachOptionalPartMayBeTheOnlyOneThatIsMissing) {
   without(&RunRecord::tuned);
   without(&RunRecord::front);
   without(&RunRecord::robustness);
+  without(&RunRecord::distribution);
   without(&RunRecord::margins);
   without(&RunRecord::plan);
   without(&RunRecord::identification);
   without(&RunRecord::validation);
+  without(&RunRecord::calibration);
   without(&RunRecord::excitation);
   without(&RunRecord::yardstick);
 }

@@ -43,6 +43,28 @@ TEST(RiskMeasures, OfClearanceLookAtTheSmallOnes) {
   EXPECT_DOUBLE_EQ(measured(set_of(RiskMeasure::kConditionalValueAtRisk, 0.6), true, values), 1.5);
 }
 
+TEST(RiskMeasures, HaveWeightsThatAreTheirDerivatives) {
+  const std::vector<double> values = {5, 1, 4, 2, 3.5};
+  for (const bool more_is_better : {false, true}) {
+    for (const SampleSet& set :
+         {set_of(RiskMeasure::kMean), set_of(RiskMeasure::kQuantile, 0.7), set_of(RiskMeasure::kWorst),
+          set_of(RiskMeasure::kConditionalValueAtRisk, 0.7)}) {
+      const std::vector<double> weights = risk_weights(set, more_is_better, values);
+      ASSERT_EQ(weights.size(), values.size());
+      double sum = 0.0;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        sum += weights[k] * values[k];
+        constexpr double kStep = 0.125;  // keeps the order
+        std::vector<double> changed = values;
+        changed[k] += kStep;
+        const double change = measured(set, more_is_better, changed) - measured(set, more_is_better, values);
+        EXPECT_NEAR(weights[k], change / kStep, 1e-12) << k;
+      }
+      EXPECT_NEAR(sum, measured(set, more_is_better, values), 1e-12);
+    }
+  }
+}
+
 TEST(FoldedResult, IsCompletedOnlyIfEverySampleIs) {
   std::vector<RolloutResult> samples(3);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -86,5 +86,25 @@ TEST(TermScore, WhereMoreIsBetterIsSmoothWhereItsTwoBranchesMeet) {
   EXPECT_NEAR((at(kMeet + kStep) - at(kMeet - kStep)) / (2.0 * kStep), -25.0, 130.0 * kStep);
 }
 
+TEST(TermScore, ItsSlopeIsTheDerivative) {
+  for (const Metric m : goals()) {
+    const bool more = field(m).better == Better::kMore;
+    for (const double reference : kReferences) {
+      for (const double r : {-3.0, 0.0, 0.1, 0.3, 1.0, 4.0, 9.0, 12.0}) {
+        if (!more && r < 0.0) continue;
+        const double h = 1e-5 * reference;
+        const double slope =
+            (term_score(m, r * reference + h, reference) - term_score(m, r * reference - h, reference)) /
+            (2.0 * h);
+        // Central differences of 1/s are wrong by h^2/s^4, where s is at least 0.2 here.
+        EXPECT_NEAR(term_slope(m, r * reference, reference), slope, 1e-6 / reference) << name(m) << " " << r;
+        if (more) {
+          EXPECT_LT(slope, 0.0);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace term_score_test
 }  // namespace armtune::internal

@@ -4,7 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "tuner/planning/solver/interior_point.hpp"
+#include "tuner/quadratic/dense_cholesky.hpp"
+#include "tuner/quadratic/interior_point.hpp"
 
 namespace armtune::internal::test {
 
@@ -51,7 +52,8 @@ struct DenseProgram {
     if (y.size() == 0) y.setZero(G_full.rows());
     InteriorPointOptions options;
     options.start_mu = start_mu;
-    return InteriorPoint(static_cast<int>(x.size()), R, C, G).solve(program, options, x, y);
+    return InteriorPoint(static_cast<int>(x.size()), R, C, G, make_dense_cholesky)
+        .solve(program, options, x, y);
   }
 };
 

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "tests/tuner/validation/validation_rig.hpp"
+#include "tuner/record/declaration.hpp"
+#include "tuner/validation/torque_slopes.hpp"
 
 namespace armtune::internal {
 namespace log_checks_test {
@@ -113,12 +117,21 @@ TEST_P(WrongLog, FilteredTorquesAreNamedWithTheTimeConstant) {
   EXPECT_NEAR(finding(LogFindingKind::kTorqueFiltered).value, constant, 0.25 * constant);
 }
 
+TEST_P(WrongLog, AFilterThatIsFasterThanThoseOfTheComparisonIsNotNamed) {
+  const double keep = std::exp(-1.0 / (250.0 * 0.015));
+  for (Eigen::Index i = 1; i < log_.samples(); ++i)
+    log_.torque.row(i) = keep * log_.torque.row(i - 1) + (1.0 - keep) * log_.torque.row(i).eval();
+  EXPECT_FALSE(has_finding(findings_of(model_, log_), LogFindingKind::kTorqueFiltered));
+}
+
 TEST_P(WrongLog, ClippedTorquesAreNamedWithTheLimit) {
   const double high = 0.5 * log_.torque.col(1).maxCoeff() + 0.5 * log_.torque.col(1).mean();
   log_.torque.col(1) = log_.torque.col(1).cwiseMin(high);
   const LogFinding clipped = finding(LogFindingKind::kTorqueClipped);
   EXPECT_EQ(clipped.joint, 1);
   EXPECT_EQ(clipped.value, high);
+  EXPECT_FALSE(has_finding(findings_of(model_, log_), LogFindingKind::kTorqueFrozen))
+      << "a clipped torque is not frozen";
 }
 
 TEST_P(WrongLog, FrozenChannelsAreNamedWithTheirTime) {
@@ -154,14 +167,60 @@ TEST_P(WrongLog, PositionsInDegreesAreNamed) {
               }));
 }
 
+TEST_P(WrongLog, ATorqueThatNeverChangesIsNotTakenForAnotherArm) {
+  log_.torque.col(1).setConstant(1.0);
+  EXPECT_EQ(finding(LogFindingKind::kTorqueFrozen).joint, 1);
+  EXPECT_FALSE(has_finding(findings_of(model_, log_), LogFindingKind::kMistake));
+}
+
+TEST_P(WrongLog, AGearRatioIsNamedWithItsJoint) {
+  log_.q.col(1) *= 1.25;
+  log_.qd.col(1) *= 1.25;
+  log_.torque.col(1) /= 1.25;
+  EXPECT_EQ(mistake().kind, MistakeKind::kGearRatio);
+  EXPECT_EQ(mistake().joint, 1);
+  EXPECT_NEAR(mistake().value, 0.8, 0.02);
+}
+
 INSTANTIATE_TEST_SUITE_P(BundledArms, WrongLog, ::testing::Values("ur5e", "panda"));
 
 TEST(LogOfAnotherArm, IsNotExplainedByAnySignOrColumn) {
-  const RobotModel model = test::validation_arm("ur10");
-  const RobotModel other = test::validation_arm("ur3e");
-  const TorqueValidation found = validate_torques(model, recorded(model, other.chain));
-  EXPECT_FALSE(found.model_matches());
-  ASSERT_TRUE(has_finding(found.findings, LogFindingKind::kMistake));
+  for (const auto& [file, arm] : {std::pair("ur10", "ur3e"), std::pair("ur10", "ur5e"),
+                                  std::pair("ur5e", "ur3e"), std::pair("ur5e", "ur10")}) {
+    const RobotModel model = test::validation_arm(file);
+    const RobotModel other = test::validation_arm(arm);
+    const TorqueValidation found = validate_torques(model, recorded(model, other.chain));
+    EXPECT_FALSE(found.model_matches());
+    ASSERT_TRUE(has_finding(found.findings, LogFindingKind::kMistake)) << file << ", " << arm;
+    EXPECT_STREQ(kind_of(found.findings.back()), "another_arm") << file << ", " << arm;
+  }
+}
+
+TEST(LogOfAnotherArm, IsNotFoundWhereTheArmCarriesAPayload) {
+  const RobotModel model = test::validation_arm("ur5e");
+  const RobotModel carrying = with_payload(model, {4.0, Vec3(0.0, 0.0, 0.1)});
+  for (const LogFinding& one : findings_of(model, recorded(model, carrying.chain)))
+    ADD_FAILURE() << to_text(one, model);
+}
+
+TEST(TorqueSlopes, AreTheFactorsOfTheTorques) {
+  const RobotModel model = test::validation_arm("ur5e");
+  JointLog log = recorded(model, model.chain);
+  log.torque.col(1) *= 1.5;
+  log.torque.col(2) *= 0.5;
+  const JointVector slopes = torque_slopes(torque_rows(model, joint_motion(model, log)));
+  EXPECT_NEAR(slopes[1], 1.5, 0.01);
+  EXPECT_NEAR(slopes[2], 0.5, 0.01);
+}
+
+TEST(LogFindingKinds, HaveDifferentNamesForFiles) {
+  const std::vector<std::string> names = record::names_of<LogFindingKind>();
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(LogFindingKind::kMistake) + 1);
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  LogFinding finding;
+  finding.mistake = LogMistake{.kind = MistakeKind::kMounting};
+  EXPECT_STREQ(kind_of(finding), name(MistakeKind::kMounting));
+  EXPECT_STREQ(name(CauseKind::kGravityDirection), "gravity_direction");
 }
 
 TEST(ValidationThresholdFields, NameEveryMemberOnce) {

@@ -77,6 +77,24 @@ TEST_F(ASessionThatValidates, NamesTheJointWhoseFrictionTheFileLacks) {
   EXPECT_FALSE(facts.matches);
   EXPECT_FALSE(facts.joints[4].matches);
   EXPECT_THAT(facts.headline, testing::HasSubstr(model_.joints[4].name));
+  ASSERT_FALSE(facts.misfit.empty());
+  EXPECT_EQ(facts.misfit.front().kind, "coulomb_friction");
+  EXPECT_EQ(facts.misfit.front().joint, model_.joints[4].name);
+  EXPECT_NEAR(facts.misfit.front().value, 0.3 * model_.joints[4].limits.effort, 0.5);
+  EXPECT_THAT(facts.findings, testing::IsEmpty());
+}
+
+TEST_F(ASessionThatValidates, RecordsWhatIsWrongWithTheLogInFields) {
+  RobotModel arm = model_;
+  arm.chain.gravity *= -1.0;
+  run(arm.chain, {}, "run");
+  const ValidationFacts facts = find_run_record(files_ / "run")->validation.value();
+  ASSERT_EQ(facts.findings.size(), 1U);
+  EXPECT_EQ(facts.findings[0].kind, "mounting");
+  EXPECT_EQ(facts.findings[0].joint, "");
+  EXPECT_FALSE(facts.findings[0].text.empty());
+  EXPECT_THAT(report::report_of(files_ / "run").verdict.details,
+              testing::Contains(testing::HasSubstr(facts.findings[0].text)));
 }
 
 TEST_F(ASessionThatValidates, JudgesTheLogAloneWithoutTorquesAndCommands) {

@@ -23,7 +23,8 @@ NumberedJob some_job() {
                    std::numeric_limits<std::uint64_t>::max(),
                    {},
                    {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}},
-                   Engine::kNative}};
+                   Engine::kNative,
+                   {Metric::kOrientationMax, Metric::kEffortRateRms}}};
   Gains& gains = job.job.gains;
   double next = 0.1;
   for (const GainField& field : gain_fields()) {
@@ -48,6 +49,11 @@ RolloutResult some_result() {
   result.metrics.value[1] = std::bit_cast<double>(std::uint64_t{0xFFF4000000001234U});  // signalling NaN
   result.metrics.value[2] = std::numeric_limits<double>::denorm_min();
   result.metrics.value[3] = -std::numeric_limits<double>::infinity();
+  result.series.start = 0.25;
+  result.series.period = 0.002;
+  result.series.metrics = {{Metric::kGazeMax, 1, {1.0 / 3.0, NAN}},
+                           {Metric::kJointEffortMaxRatio, 2, {0.1, 0.2, 0.3, -0.0}}};
+  result.series.modes = {kModeSlerping, kModeTarget};
   return result;
 }
 
@@ -99,6 +105,7 @@ TEST(Messages, AJobComesBackWithEveryGain) {
   }
   EXPECT_EQ(got.job.gains.slerp_reference, SlerpReference::kCurrent);
   EXPECT_EQ(got.job.engine, Engine::kNative);
+  EXPECT_EQ(got.job.series, sent.job.series);
   ASSERT_EQ(got.job.limits.size(), sent.job.limits.size());
   for (std::size_t i = 0; i < sent.job.limits.size(); ++i) {
     EXPECT_EQ(got.job.limits[i].metric, sent.job.limits[i].metric);
@@ -138,6 +145,20 @@ TEST(Messages, AResultComesBackBitByBit) {
   EXPECT_EQ(got.reason, sent.reason);
   EXPECT_EQ(got.metrics.max_ratio_joint, sent.metrics.max_ratio_joint);
   EXPECT_EQ(test::bits(got.metrics), test::bits(sent.metrics));
+  EXPECT_EQ(got.series.start, sent.series.start);
+  EXPECT_EQ(got.series.period, sent.series.period);
+  EXPECT_EQ(got.series.modes, sent.series.modes);
+  ASSERT_EQ(got.series.metrics.size(), sent.series.metrics.size());
+  for (std::size_t i = 0; i < sent.series.metrics.size(); ++i) {
+    const MetricSeries& a = sent.series.metrics[i];
+    const MetricSeries& b = got.series.metrics[i];
+    EXPECT_EQ(b.metric, a.metric);
+    EXPECT_EQ(b.channels, a.channels);
+    ASSERT_EQ(b.values.size(), a.values.size());
+    for (std::size_t k = 0; k < a.values.size(); ++k) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(b.values[k]), std::bit_cast<std::uint64_t>(a.values[k]));
+    }
+  }
   expect_only_the_whole_is_read(result_message(11, sent), read_result);
 }
 

@@ -195,8 +195,8 @@ const std::vector<ShortHelp>& short_helps() {
         {"Results", {"--out", "--resume"}},
         {"Speed", {"--workers"}}}},
       {"robustness",
-       {{"What is simulated", {"--scenarios", "--samples", "--limit"}},
-        {"Uncertainty (uniform)", {"--mass", "--friction", "--payload", "--delay"}},
+       {{"What is simulated", {"--scenarios", "--samples", "--distribution", "--limit"}},
+        {"Uncertainty (uniform)", {"--mass", "--friction", "--payload"}},
         {"Results", {"--out", "--resume"}},
         {"Speed", {"--workers"}}}},
       {"compare",
@@ -215,6 +215,8 @@ const std::vector<ShortHelp>& short_helps() {
        {{"Log", {"--topic", "--columns"}},
         {"What is compared", {"--robot", "--commands", "--controllers", "--gains"}},
         {"Results", {"--out"}}}},
+      {"calibrate",
+       {{"Logs", {"--commands", "--topic", "--columns"}}, {"Fit", {"--robot"}}, {"Results", {"--out"}}}},
   };
   return all;
 }

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "tuner/planning/solver/quadratic_program.hpp"
+#include "tuner/quadratic/quadratic_program.hpp"
 
 namespace armtune::internal {
 

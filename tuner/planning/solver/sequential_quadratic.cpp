@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuner/planning/solver/sparse_cholesky.hpp"
 #include "tuner/planning/solver/step_filter.hpp"
 #include "tuner/planning/solver/violation_price.hpp"
 
@@ -29,7 +30,8 @@ class Solver {
   Solver(NonlinearProgram& program, const SequentialQuadraticOptions& options)
       : program_(program),
         options_(options),
-        interior_(program.variables(), program.residuals, program.curvature, program.rows) {
+        interior_(program.variables(), program.residuals, program.curvature, program.rows,
+                  make_sparse_cholesky) {
     quadratic_.residuals = &program.residuals;
     quadratic_.rows = &program.rows;
     quadratic_.curvature = &program.curvature;

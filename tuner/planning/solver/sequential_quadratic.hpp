@@ -7,8 +7,8 @@
 
 #include <functional>
 
-#include "tuner/planning/solver/interior_point.hpp"
 #include "tuner/planning/solver/nonlinear_program.hpp"
+#include "tuner/quadratic/interior_point.hpp"
 
 namespace armtune::internal {
 

@@ -84,4 +84,8 @@ void SparseCholesky::solve(Eigen::VectorXd& x) {
   std::copy_n(static_cast<const double*>(work_->solution->x), x.size(), x.data());
 }
 
+std::unique_ptr<Cholesky> make_sparse_cholesky(const SymmetricMatrix& pattern) {
+  return std::make_unique<SparseCholesky>(pattern);
+}
+
 }  // namespace armtune::internal

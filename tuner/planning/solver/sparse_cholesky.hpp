@@ -3,39 +3,28 @@
 // whose types are used only in sparse_cholesky.cpp. Source: Chen, Davis, Hager, Rajamanickam, Algorithm 887:
 // CHOLMOD, 2008.
 
-#include <Eigen/Core>
-#include <memory>
-#include <vector>
+#include "tuner/quadratic/cholesky.hpp"
 
 namespace armtune::internal {
 
-/// The upper triangle of a symmetric matrix in compressed columns, with ascending rows in each column.
-/// CHOLMOD factorises this form without transposing. The pattern does not change after it is made.
-struct SymmetricMatrix {
-  int size = 0;
-  std::vector<int> column_starts;  ///< size + 1
-  std::vector<int> rows;
-  std::vector<double> values;
-};
-
 /// A factorisation that is analysed once for a pattern, then computed for any number of values.
-class SparseCholesky {
+class SparseCholesky final : public Cholesky {
  public:
   /// Analyses the pattern; the columns keep their order. Throws FailedError if memory runs out.
   explicit SparseCholesky(const SymmetricMatrix& pattern);
-  ~SparseCholesky();
+  ~SparseCholesky() override;
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  /// Computes L with L L^T = matrix. The matrix must have the analysed pattern. Returns false if it is not
-  /// positive definite.
-  bool factorize(const SymmetricMatrix& matrix);
-  /// Solves L L^T x = x in place.
-  void solve(Eigen::VectorXd& x);
+  bool factorize(const SymmetricMatrix& matrix) override;
+  void solve(Eigen::VectorXd& x) override;
 
  private:
   struct Work;
   std::unique_ptr<Work> work_;
 };
+
+/// Makes a SparseCholesky, for InteriorPoint.
+std::unique_ptr<Cholesky> make_sparse_cholesky(const SymmetricMatrix& pattern);
 
 }  // namespace armtune::internal

@@ -3,7 +3,7 @@
 // violated (elastic rows). The solver raises the price until no row is violated any more, or until it finds
 // that the problem is infeasible.
 
-#include "tuner/planning/solver/quadratic_program.hpp"
+#include "tuner/quadratic/quadratic_program.hpp"
 
 namespace armtune::internal {
 

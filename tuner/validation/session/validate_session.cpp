@@ -1,31 +1,12 @@
 #include "tuner/validation/session/validate_session.hpp"
 
-#include <filesystem>
-
 #include "sim/csv/text_file.hpp"
-#include "sim/logs/bag_folder.hpp"
-#include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/run/write_run_record.hpp"
+#include "tuner/run/streamed_log.hpp"
 #include "tuner/session/report_files.hpp"
 #include "tuner/validation/session/validation_files.hpp"
 
 namespace armtune::internal {
-namespace {
-
-/// Adds the hash of a log, or of each file of a folder of rosbag2.
-void add_hashes(const std::string& log, FilesRead& files) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (!fs::is_directory(log, ignored)) {
-    files.streamed.emplace_back(log, hash_of_file(log));
-    return;
-  }
-  for (const fs::path& file : bag_files(log))
-    files.streamed.emplace_back(file.string(), hash_of_file(file.string()));
-}
-
-}  // namespace
 
 ValidateSession::ValidateSession(ValidateSettings settings, SessionContext context, SessionObserver& observer)
     : settings_(std::move(settings)), context_(std::move(context)), observer_(observer) {}
@@ -67,16 +48,10 @@ void ValidateSession::write_files(double seconds) {
   record.validation = validation_facts(model, outcome_.logged, found);
   FilesRead files{model.files};
   files.inputs.insert(files.inputs.end(), settings_.files.begin(), settings_.files.end());
-  for (const std::string& log : settings_.logs) add_hashes(log, files);
+  for (const std::string& log : settings_.logs) add_log(log, files);
   write_run_record(folder, std::move(record), files);
   outcome_.files.emplace_back(kRunRecord);
-  if (!report::available()) return;
-  try {
-    warn_of_left_out(report::write_report(folder, folder + "/" + kReport), observer_);
-    outcome_.files.emplace_back(kReport);
-  } catch (const std::exception& error) {
-    observer_.warned(std::string("the run is finished, but its report was not written: ") + error.what());
-  }
+  if (add_page(folder, observer_)) outcome_.files.emplace_back(kReport);
 }
 
 }  // namespace armtune::internal

@@ -22,6 +22,28 @@ std::optional<double> if_finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+std::string name_of(const RobotModel& model, int joint) {
+  return joint < 0 ? std::string() : model.joints[static_cast<std::size_t>(joint)].name;
+}
+
+LogFindingFact fact_of(const LogFinding& finding, const RobotModel& model) {
+  LogFindingFact fact;
+  fact.kind = kind_of(finding);
+  fact.joint = name_of(model, finding.joint);
+  fact.other = name_of(model, finding.other);
+  if (finding.value != 0.0) fact.value = if_finite(finding.value);
+  if (finding.time != 0.0) fact.time = if_finite(finding.time);
+  fact.text = to_text(finding, model);
+  return fact;
+}
+
+std::vector<MisfitCauseFact> misfit_facts(const Misfit& misfit, const RobotModel& model) {
+  std::vector<MisfitCauseFact> facts;
+  for (const MisfitCause& cause : misfit.causes)
+    facts.push_back({name(cause.kind), name_of(model, cause.joint), cause.value, cause.share.maxCoeff()});
+  return facts;
+}
+
 }  // namespace
 
 std::string residuals_csv(const RobotModel& model, const TorqueRows& rows) {
@@ -73,7 +95,8 @@ ValidationFacts validation_facts(const RobotModel& model, const LoggedJoints& lo
     if (found.motion) joint.motion = if_finite(found.motion->excess[static_cast<std::size_t>(j)]);
   }
   facts.causes = cause_sentences(found, model);
-  facts.findings = finding_sentences(found, model);
+  if (found.torques) facts.misfit = misfit_facts(found.torques->misfit, model);
+  for (const LogFinding& finding : found.findings) facts.findings.push_back(fact_of(finding, model));
   facts.not_compared = found.not_compared;
   facts.notes = logged.notes;
   for (const ValidationThresholdField& field : validation_threshold_fields())

@@ -35,6 +35,7 @@ inline RunRecord whole_record() {
   run.front = {{"objective", "gaze/rms"}, 49, true, 1.0 / 3.0};
   run.robustness = {
       1000, Stepper::kSemiImplicitEuler, Engine::kNative, {{"gaze/rms", true, 1e-300}, {"a", false, -0.5}}};
+  run.distribution = {"a/uncertainty.yaml", {"delay", "payload/mass"}, {"elbow/torque_factor"}, {"delay"}};
   run.margins = {4, Stepper::kRungeKutta4};
   run.plan = {"switch",
               "target_switch",
@@ -63,10 +64,14 @@ inline RunRecord whole_record() {
                     "position",
                     {{"elbow", true, 0.97, 1.5, 9.0, 0.4}, {"wrist", false, {}, 0.5, {}, {}}},
                     {"wrist: 61 % explained"},
-                    {"the torques are late"},
+                    {{"coulomb_friction", "wrist", 1.25, 0.75}},
+                    {{"torques_exchanged", "elbow", "wrist", 0.5, 2.5, "the torques are exchanged"}},
                     {"no motion"},
                     {"positions: q1"},
                     {{"explained", 0.9}}};
+  run.calibration = {
+      true, "the error fell by 80 %",         "ur10",          "torque",         4000, 40.0, 2.0, 4, 0.2,
+      31,   {{"delay", "changing_commands"}}, {"few windows"}, {"positions: q1"}};
   run.excitation = {true, 8.486};
   run.yardstick = {5, 0.9, 0.8, 120};
   run.versions = {{"armtune", "0.1.0"}, {"eigen", "3.4.0"}};

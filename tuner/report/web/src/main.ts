@@ -2,6 +2,7 @@
 import type { ReportData } from "./data";
 import { element } from "./dom";
 import { liveLine, reloadLater } from "./live";
+import { calibrationSection } from "./sections/calibration";
 import { convergenceSection } from "./sections/convergence";
 import { frontSection } from "./sections/front";
 import { gainsSection } from "./sections/gains";
@@ -42,6 +43,7 @@ function show(data: ReportData): void {
     frontSection(data),
     planSection(data),
     validationSection(data),
+    calibrationSection(data),
     scenariosSection(data),
     convergenceSection(data),
     gainsSection(data),

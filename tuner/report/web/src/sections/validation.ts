@@ -4,11 +4,10 @@ import type { ReportData, Validation, ValidatedMotion, ValidatedTorque } from ".
 import { decodeSeries } from "../decode";
 import { breakable, element } from "../dom";
 import { fileName, formatNumber, formatPercent } from "../format";
-import { whenVisible } from "../lazy";
 import { BLUE, onPage, ORANGE, VERMILLION, withAlpha } from "../palette";
 import { gaps } from "../plots/align";
-import { Chart, type ChartSeries } from "../plots/chart";
-import { legendEntries, legendOf } from "../plots/legend";
+import type { Chart, ChartSeries } from "../plots/chart";
+import { chartOf, later } from "../plots/later_chart";
 import { section, type Section } from "./section";
 
 /** Horizons of the table, s. */
@@ -22,28 +21,6 @@ export function errorAt(horizons: number[], values: (number | null)[], time: num
     if (Math.abs(one - time) < Math.abs((horizons[nearest] ?? Infinity) - time)) nearest = i;
   });
   return Math.abs((horizons[nearest] ?? Infinity) - time) < step ? (values[nearest] ?? null) : null;
-}
-
-/** Puts a chart on the page as soon as its place is near the visible part. All charts of a list zoom together. */
-function later(make: () => Chart, together: Chart[]): HTMLElement {
-  const place = element("div", { class: "plot-place" });
-  whenVisible(place, () => {
-    const chart = make();
-    place.replaceWith(chart.root);
-    const [other] = together;
-    if (other !== undefined) chart.setRange(...other.range());
-    chart.onZoom = (from, to) => together.forEach((one) => one !== chart && one.setRange(from, to));
-    together.push(chart);
-  });
-  return place;
-}
-
-function chartOf(title: string, file: string, xLabel: string, yLabel: string, x: number[], series: ChartSeries[], include: number[]): Chart {
-  const chart: Chart = new Chart(
-    { title, file, xLabel, yLabel, height: 200, x, series, include, legend: () => legendEntries(series) },
-    legendOf(series, (i, shown) => chart.show(i, shown)),
-  );
-  return chart;
 }
 
 function torqueChart(torque: ValidatedTorque, time: number[]): Chart {
