@@ -53,7 +53,8 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
       ->required();
   command
       ->add_option("--out", args->settings.folder,
-                   "new folder for robot.yaml, uncertainty.yaml, report.html and other results")
+                   "new folder for report.html and other results; robot.yaml and uncertainty.yaml only if "
+                   "the calibrated arm is better on the held-out part")
       ->default_str("no files");
   command->add_option("--columns", args->columns,
                       "YAML file (column map) that names the channel of each joint, with factors to SI "

@@ -19,7 +19,9 @@ RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
 
 CandidateRunner::CandidateRunner(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
                                  std::optional<SampleSet> samples)
-    : CandidateRunner(std::make_unique<RolloutPool>(plan_of(scenarios, stepper, samples), count), samples) {}
+    // Braces, because these arguments are evaluated in order.
+    : CandidateRunner{std::make_unique<RolloutPool>(plan_of(scenarios, stepper, samples), count),
+                      std::move(samples)} {}
 
 CandidateRunner::CandidateRunner(std::unique_ptr<RolloutPool> pool, std::optional<SampleSet> samples)
     : pool_(std::move(pool)), samples_(std::move(samples)) {

@@ -135,10 +135,14 @@ TEST(ASessionThatCalibrates, IsNotBetterOnALogOfTheRobotFilesOwnArm) {
   arm.truth = shooting_arm(arm.model);
   const std::string log =
       files.write("log.csv", test::hidden_log_text(arm.model, test::short_torque_log(arm, 5.0)));
-  const CalibrateOutcome outcome = run(settings_of(arm.model, {log}));
+  CalibrateSettings settings = settings_of(arm.model, {log});
+  settings.folder = files / "run";
+  const CalibrateOutcome outcome = run(settings);
   EXPECT_GE(outcome.facts.error_ratio.value(), 1.0);
   EXPECT_EQ(outcome.ending, Ending::kChecksFailed);
-  EXPECT_TRUE(outcome.files.empty());
+  EXPECT_THAT(outcome.files, testing::Contains("parameters.csv"));
+  for (const char* file : {"robot.yaml", "robot.urdf", "uncertainty.yaml"})
+    EXPECT_FALSE(fs::exists(files / (std::string("run/") + file))) << "nobody should use it: " << file;
 }
 
 TEST(ASessionThatCalibrates, EndsWithoutFilesIfItIsStopped) {

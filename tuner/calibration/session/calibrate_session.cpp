@@ -103,9 +103,12 @@ void CalibrateSession::write_files(double seconds) {
     write_text_file(folder + "/" + file, text);
     outcome_.files.emplace_back(file);
   };
-  write("robot.yaml", calibrated_robot_yaml(model, found, "robot.urdf"));
-  write("robot.urdf", urdf_text(calibrated_model(model, found)));
-  write("uncertainty.yaml", uncertainty_yaml(found));
+  // An arm that does not predict the held-out part better must not be used in place of the robot file.
+  if (outcome_.facts.better) {
+    write("robot.yaml", calibrated_robot_yaml(model, found, "robot.urdf"));
+    write("robot.urdf", urdf_text(calibrated_model(model, found)));
+    write("uncertainty.yaml", uncertainty_yaml(found));
+  }
   write("parameters.csv", parameters_csv(model, found));
   write("held_out.csv", held_out_csv(model, found));
   RunRecord record;
